@@ -1,0 +1,122 @@
+#pragma once
+
+/// A scene is what is simulated, as plain data in double precision: no pointers, no script, nothing of the solver.
+/// SI units, radians, y up. Ids are positions in the order of creation and are never used again.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/vec2.h"
+
+namespace proofreel {
+
+/// Body 0 is the immovable world; the first body of a scene is body 1.
+enum class BodyId : std::uint32_t { world = 0 };
+/// The first joint of a scene is joint 0.
+enum class JointId : std::uint32_t {};
+
+enum class BodyType : std::uint8_t {
+  fixed,      ///< "static": never moves
+  kinematic,  ///< moves as its velocity says, nothing pushes it
+  dynamic     ///< moved by forces and contacts
+};
+
+/// Coulomb's two coefficients: the larger one holds a resting contact, the smaller one brakes a sliding one.
+struct FrictionDef {
+  double at_rest = 0.5;
+  double sliding = 0.5;
+  friend bool operator==(const FrictionDef&, const FrictionDef&) = default;
+};
+
+/// The most vertices one convex polygon may have.
+inline constexpr int max_polygon_vertices = 16;
+
+/// Every shape is the set of points within `radius` of the convex hull of `points`, in body coordinates:
+/// one point is a disc, two a capsule (a segment when the radius is 0), three and more a polygon (rounded when radius >
+/// 0). Polygons are listed counter-clockwise.
+struct ShapeDef {
+  std::vector<Vec2d> points;
+  double radius = 0;
+  double density = 1;  ///< kg/m^2
+  FrictionDef friction;
+  double restitution = 0;
+};
+
+/// What meets what: bodies of the same negative group never do; otherwise both masks must hold the other's category.
+struct FilterDef {
+  std::int32_t group = 0;
+  std::uint64_t category = 1;
+  std::uint64_t mask = ~std::uint64_t{0};
+};
+
+struct BodyDef {
+  std::string name;
+  BodyType type = BodyType::dynamic;
+  Vec2d position;  ///< of the origin the shapes' coordinates are written in
+  double angle = 0;
+  Vec2d velocity;  ///< of the centre of mass
+  double spin = 0;
+  std::vector<ShapeDef> shapes;
+  std::optional<double> mass;     ///< kg; without it, density times area
+  std::optional<double> inertia;  ///< kg m^2 about the centre of mass; without it, from the shapes, scaled to `mass`
+  double gravity_scale = 1;
+  bool fixed_rotation = false;
+  bool bullet = false;  ///< never passes through anything in one tick, however fast
+  bool sensor = false;  ///< reports contacts but pushes nothing
+  FilterDef filter;
+  std::optional<std::uint32_t> color;  ///< 0xRRGGBB; without it, by body type
+};
+
+enum class JointKind : std::uint8_t { revolute, distance, spring };
+
+/// Anchors are in the coordinates of their bodies (world coordinates for the world body).
+struct JointDef {
+  JointKind kind = JointKind::revolute;
+  BodyId a = BodyId::world;
+  BodyId b = BodyId::world;
+  Vec2d anchor_a;
+  Vec2d anchor_b;
+  double length = 0;     ///< distance, spring: m
+  double stiffness = 0;  ///< spring: N/m
+  double damping = 0;    ///< spring: N s/m along the spring
+};
+
+enum class Integrator : std::uint8_t { symplectic_euler, verlet };
+enum class Precision : std::uint8_t { float32, float64 };
+
+/// How a scene is solved. What is not offered here is not built, and the scenario language says so.
+struct Method {
+  Integrator integrator = Integrator::verlet;
+  int substeps = 2;                  ///< per tick, at least 1
+  int iterations = 1;                ///< solver sweeps per substep, at least 1
+  std::optional<double> contact_hz;  ///< stiffness of contacts; without it, 0.25 / substep
+  Precision precision = Precision::float64;
+};
+
+/// What acts in a scene. A stage nobody needs is not run.
+enum class Effect : std::uint8_t { gravity, springs, contacts, friction, restitution, ccd, joints, sensors };
+inline constexpr int effect_count = 8;
+
+/// A set of effects.
+class EffectSet {
+ public:
+  bool has(Effect e) const { return (bits_ >> static_cast<unsigned>(e) & 1U) != 0; }
+  void add(Effect e) { bits_ |= 1U << static_cast<unsigned>(e); }
+  friend bool operator==(EffectSet, EffectSet) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+struct Scene {
+  int rate = 240;  ///< ticks per second
+  Vec2d gravity{0, -9.81};
+  Method method;
+  std::optional<EffectSet> effects;  ///< exactly these; without it, inferred from what the scene holds
+  std::vector<BodyDef> bodies;       ///< body i + 1 is bodies[i]
+  std::vector<JointDef> joints;      ///< joint i is joints[i]
+};
+
+}  // namespace proofreel

@@ -1,0 +1,141 @@
+#pragma once
+
+/// The narrow interface between a scene and whatever steps it. The script drives a simulation through commands, the
+/// picture is made from snapshots; nobody outside sees bodies or solvers.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/scene.h"
+#include "engine/snapshot.h"
+
+namespace proofreel {
+
+/// The next free body id goes to `def`: ids count up in order of creation.
+struct CreateBody {
+  BodyDef def;
+};
+/// Changes what is given, leaves the rest.
+struct ChangeBody {
+  BodyId body{};
+  std::optional<BodyType> type;
+  std::optional<Vec2d> position;
+  std::optional<double> angle;
+  std::optional<Vec2d> velocity;
+  std::optional<double> spin;
+  std::optional<std::vector<ShapeDef>> shapes;
+  std::optional<double> mass;
+  std::optional<double> inertia;
+  std::optional<FrictionDef> friction;  ///< of all shapes
+  std::optional<double> restitution;    ///< of all shapes
+  std::optional<double> density;        ///< of all shapes
+  std::optional<double> gravity_scale;
+  std::optional<bool> fixed_rotation;
+  std::optional<bool> bullet;
+  std::optional<bool> sensor;
+  std::optional<FilterDef> filter;
+  std::optional<std::uint32_t> color;
+};
+/// The body's joints go with it.
+struct RemoveBody {
+  BodyId body{};
+};
+/// N s at a world point; without one, at the centre of mass.
+struct ApplyImpulse {
+  BodyId body{};
+  Vec2d impulse;
+  std::optional<Vec2d> at;
+};
+/// N during the next tick, at a world point; without one, at the centre of mass.
+struct ApplyForce {
+  BodyId body{};
+  Vec2d force;
+  std::optional<Vec2d> at;
+};
+/// N m during the next tick.
+struct ApplyTorque {
+  BodyId body{};
+  double torque = 0;
+};
+/// The next free joint id goes to `def`.
+struct CreateJoint {
+  JointDef def;
+};
+struct RemoveJoint {
+  JointId joint{};
+};
+
+using Command =
+    std::variant<CreateBody, ChangeBody, RemoveBody, ApplyImpulse, ApplyForce, ApplyTorque, CreateJoint, RemoveJoint>;
+
+/// Two shapes that did not touch before the last tick and do now (a sensor counts as touched on overlap).
+struct ContactEvent {
+  BodyId a = BodyId::world;
+  BodyId b = BodyId::world;
+  Vec2d point;
+  Vec2d normal;        ///< unit, from a to b
+  double impulse = 0;  ///< N s along the normal during the tick
+};
+
+/// Why a simulation stopped: a number that is not finite.
+struct Failure {
+  std::int64_t tick = 0;
+  BodyId body{};
+  std::string stage;  ///< of the step, in words
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  /// Goes on by one tick (1 / rate seconds). After a failure it does nothing.
+  virtual void step() = 0;
+  /// Acts at once. The command must make sense: ids exist and are not removed, `problem_with` finds nothing in its
+  /// data.
+  virtual void apply(const Command& command) = 0;
+  virtual std::int64_t tick() const = 0;
+  /// Of the last tick, in a fixed order.
+  virtual const std::vector<ContactEvent>& contact_events() const = 0;
+  virtual bool exists(BodyId body) const = 0;
+  virtual bool exists(JointId joint) const = 0;
+  virtual BodyState body(BodyId body) const = 0;
+  virtual JointView joint(JointId joint) const = 0;
+  /// All contacts, speculative ones (separation > 0, no impulse) too. The point impulses are those of the last tick.
+  virtual std::vector<ContactView> contacts() const = 0;
+  virtual void observe(Snapshot& snapshot) const = 0;
+  virtual Energy energy() const = 0;
+  /// XXH3 of poses and velocities: equal exactly when all bits of the motion are.
+  virtual std::uint64_t state_hash() const = 0;
+  virtual const std::optional<Failure>& failure() const = 0;
+};
+
+/// The engine, in the precision the scene's method names. The scene must be sound: `problem_with` finds nothing in it.
+std::unique_ptr<Simulation> make_simulation(const Scene& scene);
+
+/// The effects a simulation of this scene runs: its list, or what can be inferred from what it holds.
+EffectSet effects_of(const Scene& scene);
+const char* name_of(Effect effect);
+
+/// What is wrong with a body's numbers or geometry and what to change, as a sentence without the body's name;
+/// nothing when it is sound.
+std::optional<std::string> problem_with(const BodyDef& body);
+
+/// The motion a body starts with.
+BodyState initial_state(const BodyDef& body);
+
+/// A chain of state hashes: equal exactly when all ticks are. Start with the hash of the initial state as `state`
+/// and 0 as `chain`.
+std::uint64_t chained_hash(std::uint64_t chain, std::uint64_t state);
+
+/// Makes a polygon's corners ready for ShapeDef: duplicates and points on straight edges dropped, order made
+/// counter-clockwise. Otherwise a sentence: what is wrong and what to change.
+std::variant<std::vector<Vec2d>, std::string> clean_polygon(const std::vector<Vec2d>& corners);
+
+/// The convex hull, counter-clockwise, by gift wrapping (Jarvis 1973). Fewer than three distinct points come back as
+/// they are.
+std::vector<Vec2d> convex_hull(const std::vector<Vec2d>& points);
+
+}  // namespace proofreel

@@ -1,0 +1,71 @@
+#pragma once
+
+/// Draws flat, anti-aliased shapes in pixels, and gives the same bytes on every thread count, vector width and
+/// instruction set of one Mesa version. Coordinates: pixels from the top left corner, y down; a pixel's centre is at +
+/// 0.5.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "engine/vec2.h"
+#include "render/context.h"
+#include "render/image.h"
+
+namespace proofreel {
+
+/// Straight (not premultiplied) colour, 0..255 each.
+struct Color {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  friend bool operator==(Color, Color) = default;
+};
+
+/// How a closed shape is painted: the outline lies inside the shape's edge, `outline_px` wide (0: none).
+struct Paint {
+  Color fill;
+  Color outline;
+  double outline_px = 0;
+};
+
+enum class Align : std::uint8_t { left, center, right };
+
+/// What is drawn later lies on top. Nothing reaches the image before `finish`.
+class Canvas {
+ public:
+  /// Draws through `context`, which must outlive the canvas and be used from one thread at a time.
+  /// Throws EnvironmentError when the size or the context does not work.
+  Canvas(GlContext& context, int width_px, int height_px);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  int width_px() const;
+  int height_px() const;
+
+  void clear(Color background);
+  void disc(Vec2d center, double radius, const Paint& paint);
+  /// The convex hull of `corners` (3 to max_polygon_vertices, either orientation) rounded outward by `radius`.
+  void polygon(std::span<const Vec2d> corners, double radius, const Paint& paint);
+  /// All points within `radius` of the segment.
+  void capsule(Vec2d a, Vec2d b, double radius, const Paint& paint);
+  /// A stroke with round ends.
+  void line(Vec2d a, Vec2d b, double width, Color color);
+  /// A shaft and a filled head that ends exactly in `to`; a short arrow shrinks its head, never its length.
+  void arrow(Vec2d from, Vec2d to, double width, Color color);
+  /// Axis-aligned, with corners rounded by `radius`.
+  void rectangle(Vec2d low, Vec2d high, double radius, const Paint& paint);
+  /// UTF-8 on a baseline at whole pixels; what the font lacks is drawn as a box. `size_px` is the height of the em.
+  void text(std::string_view utf8, Vec2d baseline, int size_px, Align align, Color color);
+  /// How wide `text` would be, in pixels.
+  double text_width(std::string_view utf8, int size_px);
+
+  /// Draws all that was asked for since `clear` and reads it into `image`, resized to fit.
+  void finish(Image& image);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace proofreel

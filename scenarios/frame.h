@@ -1,0 +1,59 @@
+#pragma once
+
+/// One film frame as data: everything drawing needs, nothing it could change. Made by the runner, so that drawing may
+/// happen later and elsewhere while the simulation goes on.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/snapshot.h"
+#include "scenarios/scenario.h"
+
+namespace proofreel {
+
+/// Points from old to new, world coordinates.
+struct TrailView {
+  BodyId body{};
+  std::vector<Vec2d> points;
+};
+
+struct ArrowView {
+  VectorOf of = VectorOf::velocity;
+  Vec2d from;  ///< world
+  Vec2d to;    ///< world
+};
+
+struct LabelView {
+  Vec2d anchor;          ///< world: the body's centre
+  double clearance = 0;  ///< m from the anchor to the body's far edge
+  std::string text;
+};
+
+struct CaptionView {
+  std::string text;
+  Corner at = Corner::bottom;
+};
+
+/// Samples of one plot up to now: curve i at time times[k] is values[i][k].
+struct PlotView {
+  std::string title;
+  std::vector<std::string> curves;
+  double seconds = 10;  ///< width of the time axis
+  Corner at = Corner::top_right;
+  std::vector<double> times;  ///< s of scene time
+  std::vector<std::vector<double>> values;
+};
+
+struct Frame {
+  std::int64_t index = 0;  ///< film frame
+  Snapshot snapshot;
+  View view;  ///< the camera, resolved
+  std::vector<TrailView> trails;
+  std::vector<ArrowView> arrows;
+  std::vector<LabelView> labels;
+  std::vector<CaptionView> captions;
+  std::vector<PlotView> plots;
+};
+
+}  // namespace proofreel

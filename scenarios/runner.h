@@ -1,0 +1,74 @@
+#pragma once
+
+/// Runs a scenario tick by tick: script, step, measures, expectations, hashes. `run`, `render` and `check` all drive
+/// this one class, so that they cannot disagree.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "scenarios/frame.h"
+#include "scenarios/scenario.h"
+
+namespace proofreel {
+
+struct MeasureResult {
+  std::string name;
+  double final = 0;
+  double min = 0;
+  double max = 0;
+  std::optional<double> max_error;  ///< max |measure - reference| over the samples a reference speaks of
+};
+
+struct ExpectationResult {
+  std::string text;
+  bool held = true;
+  std::int64_t tick = 0;  ///< where it first failed, or was last looked at
+};
+
+struct RunReport {
+  std::string scenario;
+  std::int64_t ticks = 0;
+  std::uint64_t trajectory_hash = 0;
+  std::uint64_t state_hash = 0;
+  std::vector<MeasureResult> measures;
+  std::vector<ExpectationResult> expectations;
+  Energy initial_energy;
+  Energy final_energy;
+  double max_energy_drift = 0;  ///< J, |total - booked work - initial total|, over all samples
+  std::optional<Failure> failure;
+  bool all_held() const;
+};
+
+class Runner {
+ public:
+  /// The scenario must outlive the runner, and runs once.
+  explicit Runner(Scenario& scenario);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// One tick. Throws ScenarioError when the script fails, or when the simulation does (NaN: tick, body, stage).
+  void step();
+  bool finished() const;
+  std::int64_t tick() const;
+  std::uint64_t trajectory_hash() const;
+  const Simulation& simulation() const;
+  /// The picture of this moment, as film frame `index`. Plots and trails hold what happened until now.
+  Frame frame(std::int64_t index) const;
+  /// Steps what is left and says how it went.
+  RunReport finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The tick each film frame shows: every rate / fps ticks, more densely under slow motion. Throws ScenarioError, naming
+/// the nearest rates that work, when that is not a whole number.
+std::vector<std::int64_t> film_timeline(const Scenario& scenario);
+
+}  // namespace proofreel

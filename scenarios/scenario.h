@@ -1,0 +1,183 @@
+#pragma once
+
+/// A scenario as loaded from its file: the scene to simulate, the picture to make of it, and the script that acts in
+/// it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/scene.h"
+#include "engine/simulation.h"
+
+namespace proofreel {
+
+enum class Theme : std::uint8_t { light, dark, print };
+enum class Layer : std::uint8_t { bodies, bvh, contacts, joints, aabbs, trails, vectors, labels, grid, clock };
+inline constexpr int layer_count = 10;
+const char* name_of(Layer layer);
+std::optional<Layer> layer_named(std::string_view name);
+std::optional<Theme> theme_named(std::string_view name);
+
+/// Where a caption or a plot sits.
+enum class Corner : std::uint8_t { top_left, top, top_right, bottom_left, bottom, bottom_right };
+
+/// The part of the world in the picture. Metres; the width follows from the picture's proportions.
+struct View {
+  Vec2d center;
+  double height = 10;
+};
+
+struct Size {
+  int width_px = 0;
+  int height_px = 0;
+  friend bool operator==(Size, Size) = default;
+};
+
+/// From `at` on the camera moves to the given view within `over` seconds, or follows a body.
+struct CameraMove {
+  double at = 0;
+  double over = 0;
+  std::optional<Vec2d> center;
+  std::optional<double> height;
+  std::optional<BodyId> follow;
+};
+
+struct Caption {
+  std::string text;
+  double from = 0;
+  double to = 0;
+  Corner at = Corner::bottom;
+};
+
+struct Label {
+  BodyId body{};
+  std::string text;
+};
+
+enum class VectorOf : std::uint8_t { velocity, force, momentum, acceleration, contact_impulse };
+
+/// An arrow at a body's centre, `scale` metres long per unit of the quantity.
+struct VectorMark {
+  BodyId body{};
+  VectorOf of = VectorOf::velocity;
+  double scale = 1;
+};
+
+struct TrailMark {
+  BodyId body{};
+  double seconds = 1;
+};
+
+/// A chart of quantities against time; the functions live in the script, curve i of plot p is sampled by
+/// Script::plot_value.
+struct PlotMark {
+  std::string title;
+  std::vector<std::string> curves;  ///< names, in sorted order
+  double seconds = 10;
+  Corner at = Corner::top_right;
+};
+
+/// Between scene times `from` and `to` the film runs at `factor` times real speed.
+struct SlowMotion {
+  double from = 0;
+  double to = 0;
+  double factor = 1;
+};
+
+/// What the picture shows beyond the bodies. Grows while the script runs; entries are never removed.
+struct Picture {
+  View view;
+  Size size{1280, 720};
+  int fps = 60;
+  Theme theme = Theme::light;
+  std::vector<Layer> layers{Layer::bodies};
+  std::vector<CameraMove> camera;
+  std::vector<Caption> captions;
+  std::vector<Label> labels;
+  std::vector<VectorMark> vectors;
+  std::vector<TrailMark> trails;
+  std::vector<PlotMark> plots;
+  std::vector<SlowMotion> slow;
+};
+
+/// Which film frames are kept as references, and how large.
+struct GoldenFrames {
+  std::vector<std::int64_t> frames;
+  Size size{480, 270};
+};
+
+/// A sentence that must hold, and when.
+struct Expectation {
+  enum class When : std::uint8_t { always, at, finally };
+  std::string text;
+  When when = When::finally;
+  double at = 0;  ///< scene time, for When::at
+};
+
+struct Measure {
+  std::string name;
+  bool has_reference = false;
+};
+
+/// What happens at which time. A script acts on the simulation it is bound to through commands, and may add to the
+/// scenario's picture while it runs. All functions may throw ScenarioError.
+class Script {
+ public:
+  virtual ~Script() = default;
+  /// From now on handles speak to this simulation, which must have been made from this scenario's scene and outlive
+  /// the binding; without one they speak of the scene.
+  virtual void bind(Simulation* simulation) = 0;
+  /// Runs what is due at the simulation's tick: `at` and `every` before the tick is stepped. Call once per tick.
+  virtual void before_step() = 0;
+  /// Runs what the last step set off: contact events.
+  virtual void after_step() = 0;
+  virtual double measure(int index) = 0;
+  /// What measure `index` should be at tick `tick`; nothing where its reference says nothing at that time.
+  virtual std::optional<double> reference(int index, std::int64_t tick) = 0;
+  virtual bool expectation(int index) = 0;
+  virtual double plot_value(int plot, int curve) = 0;
+};
+
+/// One loaded scenario. Loading and running it needs no display.
+struct Scenario {
+  std::string id;  ///< path below scenarios/ without .lua, or the file's stem
+  std::string path;
+  std::string title;
+  std::string description;
+  double duration = 5;  ///< s
+  std::uint64_t seed = 1;
+  Scene scene;
+  Picture picture;
+  std::optional<GoldenFrames> golden;
+  std::vector<Measure> measures;
+  std::vector<Expectation> expectations;
+  std::vector<std::string> warnings;
+  std::unique_ptr<Script> script;
+
+  /// Ticks of the whole run: round(duration * rate).
+  std::int64_t ticks() const;
+};
+
+/// One `--set KEY=VALUE` from the command line.
+struct Override {
+  std::string key;
+  std::string value;
+};
+
+/// A sentence for the user: file, line, what is wrong, what to do. Exit status 2.
+class ScenarioError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads and runs the scenario file; the overrides replace what `scenario{}` says. Throws ScenarioError.
+/// The scenario stays where it is made: its script refers to it.
+std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides);
+
+}  // namespace proofreel
