@@ -91,7 +91,7 @@ struct Method {
   Integrator integrator = Integrator::verlet;
   int substeps = 2;                  ///< per tick, at least 1
   int iterations = 1;                ///< solver sweeps per substep, at least 1
-  std::optional<double> contact_hz;  ///< stiffness of contacts; without it, 0.25 / substep
+  std::optional<double> contact_hz;  ///< stiffness of contacts; without it, 0.125 per substep
   Precision precision = Precision::float64;
 };
 

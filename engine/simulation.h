@@ -10,8 +10,11 @@
 #include <variant>
 #include <vector>
 
+#include "engine/effects.h"
+#include "engine/polygon.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
+#include "engine/state_hash.h"
 
 namespace proofreel {
 
@@ -115,27 +118,11 @@ class Simulation {
 /// The engine, in the precision the scene's method names. The scene must be sound: `problem_with` finds nothing in it.
 std::unique_ptr<Simulation> make_simulation(const Scene& scene);
 
-/// The effects a simulation of this scene runs: its list, or what can be inferred from what it holds.
-EffectSet effects_of(const Scene& scene);
-const char* name_of(Effect effect);
-
 /// What is wrong with a body's numbers or geometry and what to change, as a sentence without the body's name;
 /// nothing when it is sound.
 std::optional<std::string> problem_with(const BodyDef& body);
 
 /// The motion a body starts with.
 BodyState initial_state(const BodyDef& body);
-
-/// A chain of state hashes: equal exactly when all ticks are. Start with the hash of the initial state as `state`
-/// and 0 as `chain`.
-std::uint64_t chained_hash(std::uint64_t chain, std::uint64_t state);
-
-/// Makes a polygon's corners ready for ShapeDef: duplicates and points on straight edges dropped, order made
-/// counter-clockwise. Otherwise a sentence: what is wrong and what to change.
-std::variant<std::vector<Vec2d>, std::string> clean_polygon(const std::vector<Vec2d>& corners);
-
-/// The convex hull, counter-clockwise, by gift wrapping (Jarvis 1973). Fewer than three distinct points come back as
-/// they are.
-std::vector<Vec2d> convex_hull(const std::vector<Vec2d>& points);
 
 }  // namespace proofreel

@@ -1,0 +1,77 @@
+#pragma once
+
+/// Bodies inside the engine. What the solver touches again and again (Motion) lies apart from what a step reads once
+/// (Body).
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/real.h"
+#include "engine/scene.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+/// Position of a body in the arrays: its BodyId as a number. 0 is the immovable world.
+using BodyIndex = std::uint32_t;
+
+/// The moving part of a body. During a tick positions are kept as the way gone since the tick began: differences of
+/// these stay exact even where the coordinates themselves are large.
+struct Motion {
+  Vec2 velocity;      ///< of the centre of mass
+  real spin = 0;      ///< rad/s
+  real inv_mass = 0;  ///< 1/kg; 0 for what nothing pushes
+  real inv_inertia = 0;
+  Vec2 delta;  ///< of the centre of mass, since the tick began
+  Rot rotation;
+  real angle = 0;  ///< of `rotation`, continuous
+
+  Vec2 velocity_at(Vec2 arm) const { return velocity + cross(spin, arm); }
+  /// `arm` is the point's position relative to the centre of mass, world axes.
+  void push(Vec2 impulse, Vec2 arm) {
+    velocity += inv_mass * impulse;
+    spin += inv_inertia * cross(arm, impulse);
+  }
+};
+
+struct Body {
+  std::string name;
+  BodyType type = BodyType::fixed;
+  bool alive = true;
+  bool fixed_rotation = false;
+  bool bullet = false;
+  bool sensor = false;
+  Vec2 center;        ///< of mass, world, at the start of the tick
+  Vec2 local_center;  ///< of mass, in the coordinates of the definition
+  real mass = 0;
+  real inertia = 0;
+  real gravity_scale = 1;
+  Vec2 force;  ///< N during the next tick, from commands
+  real torque = 0;
+  Vec2 acceleration;  ///< from gravity and `force`, constant during a tick
+  real angular_acceleration = 0;
+  Vec2 velocity_before;  ///< at the start of the last tick
+  FilterDef filter;
+  std::optional<std::uint32_t> color;
+  std::vector<std::uint32_t> shapes;  ///< indices of its shapes
+  std::vector<ShapeDef> defs;         ///< what the shapes and the mass were made from
+  std::optional<double> given_mass;
+  std::optional<double> given_inertia;
+};
+
+/// Turns `q` by `angle` radians. Small angles, the usual case within a step, take a short series instead of the full
+/// functions.
+Rot turned(Rot q, real angle);
+
+/// Moves and turns a body by its own velocity for `h` seconds.
+inline void drift(Motion& m, real h) {
+  m.delta += h * m.velocity;
+  if (m.spin == 0) return;
+  m.rotation = turned(m.rotation, h * m.spin);
+  m.angle += h * m.spin;
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

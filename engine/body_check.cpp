@@ -1,0 +1,75 @@
+// Refuses bodies that cannot be simulated, before they are.
+
+#include <cmath>
+
+#include "engine/mass.h"
+#include "engine/simulation.h"
+
+namespace proofreel {
+namespace {
+
+constexpr double largest_size = 1e9;
+
+bool usable(double x) { return std::isfinite(x) && std::abs(x) <= largest_size; }
+bool usable(Vec2d v) { return usable(v.x) && usable(v.y); }
+
+std::optional<std::string> problem_with_coefficients(const ShapeDef& shape) {
+  if (!(shape.density > 0) || !usable(shape.density)) return "its density must be a positive number (kg/m^2)";
+  for (const double mu : {shape.friction.at_rest, shape.friction.sliding}) {
+    if (!(mu >= 0) || !usable(mu)) return "its friction must be a number not below 0";
+  }
+  if (shape.friction.at_rest < shape.friction.sliding)
+    return "its static friction must not be below its kinetic friction";
+  if (!(shape.restitution >= 0 && shape.restitution <= 1)) return "its restitution must lie between 0 and 1";
+  return std::nullopt;
+}
+
+std::optional<std::string> problem_with_outline(const ShapeDef& shape) {
+  for (const Vec2d p : shape.points) {
+    if (!usable(p)) return "its shape has a coordinate that is not a number below 1e9 m; give finite coordinates";
+  }
+  if (!(shape.radius >= 0) || !usable(shape.radius)) return "its radius must be a number not below 0 (m)";
+  if (shape.points.empty()) return "its shape has no points";
+  if (shape.points.size() == 1 && shape.radius <= 0) return "its circle needs a radius above 0 (m)";
+  if (shape.points.size() == 2 && shape.points[0] == shape.points[1]) {
+    return "the two ends of its capsule or segment are the same point; move one, or use a circle";
+  }
+  if (shape.points.size() < 3) return std::nullopt;
+  const auto cleaned = clean_polygon(shape.points);
+  if (const auto* problem = std::get_if<std::string>(&cleaned)) return *problem;
+  return std::nullopt;
+}
+
+std::optional<std::string> problem_with_motion(const BodyDef& body) {
+  if (!usable(body.position)) return "its position must be two numbers below 1e9 m";
+  if (!usable(body.angle)) return "its angle must be a number below 1e9 rad";
+  if (!usable(body.velocity)) return "its velocity must be two numbers below 1e9 m/s";
+  if (!usable(body.spin)) return "its spin must be a number below 1e9 rad/s";
+  if (!usable(body.gravity_scale)) return "its gravity_scale must be a number";
+  return std::nullopt;
+}
+
+std::optional<std::string> problem_with_mass(const BodyDef& body) {
+  if (body.mass && (!(*body.mass > 0) || !usable(*body.mass))) return "its mass must be a positive number (kg)";
+  if (body.inertia && (!(*body.inertia > 0) || !usable(*body.inertia))) {
+    return "its inertia must be a positive number (kg m^2)";
+  }
+  if (body.type != BodyType::dynamic) return std::nullopt;
+  const MassProperties mass = mass_of(body);
+  if (mass.mass > 0 && mass.inertia > 0) return std::nullopt;
+  if (body.shapes.empty()) return "it is dynamic but has no shape; give it one, or give mass= and inertia=";
+  return "it is dynamic but its shapes have no area; give mass=, or use shapes with an area";
+}
+
+}  // namespace
+
+std::optional<std::string> problem_with(const BodyDef& body) {
+  if (auto problem = problem_with_motion(body)) return problem;
+  for (const ShapeDef& shape : body.shapes) {
+    if (auto problem = problem_with_outline(shape)) return problem;
+    if (auto problem = problem_with_coefficients(shape)) return problem;
+  }
+  return problem_with_mass(body);
+}
+
+}  // namespace proofreel

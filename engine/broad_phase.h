@@ -1,0 +1,70 @@
+#pragma once
+
+/// Broad phase (thesis chapter 4.1): which shapes may touch? Every shape has a box in a dynamic tree, fattened so that
+/// it stays valid while the body moves a little; only shapes that left their box are looked at again.
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include "engine/body.h"
+#include "engine/dynamic_tree.h"
+#include "engine/shape.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+using ShapeIndex = std::uint32_t;
+
+struct Shape {
+  Hull hull;
+  BodyIndex body = 0;
+  bool alive = true;
+  real density = 1;
+  real friction_at_rest = 0;
+  real friction_sliding = 0;
+  real restitution = 0;
+  real thickness = 0;  ///< the width across the thinnest direction
+  real reach = 0;      ///< from the body's centre of mass to the farthest point
+  ProxyId proxy = 0;
+};
+
+/// The length a pair's margins are measured by: the thickness of the thinner shape. A bare segment has none and leaves
+/// it to the other.
+real pair_length(const Shape& a, const Shape& b);
+
+struct ShapePair {
+  ShapeIndex a = 0;  ///< a < b
+  ShapeIndex b = 0;
+  friend bool operator==(ShapePair, ShapePair) = default;
+};
+
+class BroadPhase {
+ public:
+  void add(ShapeIndex index, Shape& shape, const Aabb& box);
+  void remove(ShapeIndex index, const Shape& shape);
+  /// Tells where a shape may be until the end of the tick: `box` now and after `displacement`.
+  void move(ShapeIndex index, const Shape& shape, const Aabb& box, Vec2 displacement);
+  /// The pairs of overlapping boxes of which at least one shape has moved since the last call, in ascending order,
+  /// without those `known` already. Shapes of the same body and of two bodies that nothing moves are left out.
+  std::vector<ShapePair> new_pairs(const std::vector<Shape>& shapes, const std::vector<Body>& bodies);
+  /// The pair is no contact any more and may be reported again.
+  void forget(ShapePair pair) { known_.erase(key(pair)); }
+  bool boxes_overlap(const Shape& a, const Shape& b) const {
+    return overlaps(tree_.aabb(a.proxy), tree_.aabb(b.proxy));
+  }
+  const DynamicTree& tree() const { return tree_; }
+
+ private:
+  static std::uint64_t key(ShapePair p) { return static_cast<std::uint64_t>(p.a) << 32 | p.b; }
+
+  DynamicTree tree_;
+  std::vector<ShapeIndex> moved_;
+  std::unordered_set<std::uint64_t> known_;  ///< asked, never iterated: its order does not matter
+};
+
+/// Whether two bodies may meet at all, by group, category and mask.
+bool filters_agree(const FilterDef& a, const FilterDef& b);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

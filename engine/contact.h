@@ -1,0 +1,49 @@
+#pragma once
+
+/// Pairs of shapes that are near each other, kept from step to step, so that the solver starts from the impulses it
+/// found last time (warm starting).
+
+#include <cstdint>
+
+#include "engine/body.h"
+#include "engine/broad_phase.h"
+#include "engine/collide.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+/// What a contact point remembers. Impulses in N s.
+struct PointImpulse {
+  real normal = 0;        ///< of the last substep
+  real tangent = 0;       ///< along the normal turned a quarter counter-clockwise
+  real normal_total = 0;  ///< over the last tick
+  real tangent_total = 0;
+};
+
+struct Contact {
+  ShapeIndex shape_a = 0;
+  ShapeIndex shape_b = 0;
+  BodyIndex body_a = 0;
+  BodyIndex body_b = 0;
+  bool sensor = false;
+  bool touching = false;
+  bool began = false;  ///< touches since the last tick
+  real friction_at_rest = 0;
+  real friction_sliding = 0;
+  real restitution = 0;
+  Manifold manifold;
+  PointImpulse impulses[2];
+};
+
+/// Coefficients of two shapes together: friction sqrt(a b), static with static and kinetic with kinetic; restitution
+/// the larger.
+void mix_materials(Contact& contact, const Shape& a, const Shape& b);
+
+/// Runs the narrow phase for one contact and carries the impulses over to the points that are still the same.
+/// `dt` is the length of a tick: surfaces that may meet within it are in the manifold too (speculative contacts);
+/// `ccd` lets that reach as far as the bodies may move.
+void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
+                     const std::vector<Motion>& motions, real dt, bool ccd);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

@@ -1,0 +1,200 @@
+#include "engine/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+constexpr real two_pi = real(6.283185307179586);
+/// Overlap is driven out at no more than this many times the pair's thickness per second, so that bodies that start
+/// inside each other part gently whatever their size.
+constexpr real push_rate = 3;
+
+real inverse_or_zero(real x) { return x > 0 ? 1 / x : 0; }
+
+real effective_mass(const Motion& a, const Motion& b, const ConstraintPoint& p, Vec2 direction) {
+  const real arm_a = cross(p.arm_a, direction);
+  const real arm_b = cross(p.arm_b, direction);
+  return inverse_or_zero(a.inv_mass + b.inv_mass + a.inv_inertia * arm_a * arm_a + b.inv_inertia * arm_b * arm_b);
+}
+
+ConstraintPoint make_point(const ContactConstraint& c, const ManifoldPoint& p, const PointImpulse& impulse,
+                           Vec2 center_a_to_b, const Motion& a, const Motion& b) {
+  ConstraintPoint out;
+  out.arm_a = p.point;
+  out.arm_b = p.point - center_a_to_b;
+  out.local_a = inverse_rotate(a.rotation, out.arm_a);
+  out.local_b = inverse_rotate(b.rotation, out.arm_b);
+  out.base_separation = p.separation - dot(out.arm_b - out.arm_a, c.normal);
+  out.normal_mass = effective_mass(a, b, out, c.normal);
+  out.tangent_mass = effective_mass(a, b, out, perp(c.normal));
+  out.normal_impulse = impulse.normal;
+  out.tangent_impulse = impulse.tangent;
+  return out;
+}
+
+void push_apart(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
+  a.push(-impulse, p.arm_a);
+  b.push(impulse, p.arm_b);
+}
+
+Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& p) {
+  return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
+}
+
+/// Coulomb's law with two coefficients: the contact sticks as long as the impulse that takes is below the static limit,
+/// and slides against the kinetic one otherwise.
+real friction_limited(real impulse, real normal_impulse, real at_rest, real sliding) {
+  if (std::abs(impulse) <= at_rest * normal_impulse) return impulse;
+  const real limit = sliding * normal_impulse;
+  return std::clamp(impulse, -limit, limit);
+}
+
+void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b) {
+  const Vec2 tangent = perp(c.normal);
+  const real slip = dot(relative_velocity(a, b, p), tangent);
+  const real wanted = p.tangent_impulse - p.tangent_mass * slip;
+  const real impulse = friction_limited(wanted, p.normal_impulse, c.friction_at_rest, c.friction_sliding);
+  push_apart(a, b, p, (impulse - p.tangent_impulse) * tangent);
+  p.tangent_impulse = impulse;
+}
+
+template <bool driving_out>
+void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b, const Softness& soft, real h) {
+  const real separation = separation_of(c, p, a, b);
+  real bias = 0;
+  real mass_scale = 1;
+  real impulse_scale = 0;
+  if (separation > 0) {
+    bias = separation / h;  // may come as close as touching, and no closer
+  } else if (driving_out) {
+    bias = std::max(soft.bias_rate * separation, -push_rate * c.length);
+    mass_scale = soft.mass_scale;
+    impulse_scale = soft.impulse_scale;
+  }
+  const real approach = dot(relative_velocity(a, b, p), c.normal);
+  const real change = -p.normal_mass * mass_scale * (approach + bias) - impulse_scale * p.normal_impulse;
+  real impulse = std::max(p.normal_impulse + change, real(0));
+  // The relaxing sweep must not brake what has not arrived yet: the next substep will, or bounces it.
+  if (!driving_out && separation > 0) impulse = std::min(impulse, p.normal_impulse);
+  push_apart(a, b, p, (impulse - p.normal_impulse) * c.normal);
+  p.normal_impulse = impulse;
+}
+
+}  // namespace
+
+Softness make_softness(real hertz, real damping_ratio, real h) {
+  const real omega = two_pi * hertz;
+  const real a1 = 2 * damping_ratio + h * omega;
+  const real a2 = h * omega * a1;
+  const real a3 = 1 / (1 + a2);
+  return {omega / a1, a2 * a3, a3};
+}
+
+real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const Motion& a, const Motion& b) {
+  const Vec2 arms = rotate(b.rotation, p.local_b) - rotate(a.rotation, p.local_a);
+  return p.base_separation + dot((b.delta - a.delta) + arms, c.normal);
+}
+
+void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
+                            const std::vector<Body>& bodies, const std::vector<Motion>& motions, Softness softness,
+                            bool friction) {
+  softness_ = softness;
+  friction_ = friction;
+  constraints_.clear();
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    if (contact.manifold.count == 0 || contact.sensor) continue;
+    ContactConstraint& c = constraints_.emplace_back();
+    c.contact = i;
+    c.body_a = contact.body_a;
+    c.body_b = contact.body_b;
+    c.count = contact.manifold.count;
+    c.normal = contact.manifold.normal;
+    c.friction_at_rest = contact.friction_at_rest;
+    c.friction_sliding = contact.friction_sliding;
+    c.restitution = contact.restitution;
+    c.length = pair_length(shapes[contact.shape_a], shapes[contact.shape_b]);
+    const Vec2 a_to_b = bodies[c.body_b].center - bodies[c.body_a].center;
+    for (int k = 0; k < c.count; ++k) {
+      c.points[k] =
+          make_point(c, contact.manifold.points[k], contact.impulses[k], a_to_b, motions[c.body_a], motions[c.body_b]);
+    }
+  }
+}
+
+void ContactSolver::begin_substep(std::vector<Motion>& motions, real share) {
+  for (ContactConstraint& c : constraints_) {
+    for (int k = 0; k < c.count; ++k) {
+      ConstraintPoint& p = c.points[k];
+      p.warm_normal = p.normal_impulse;
+      p.warm_tangent = p.tangent_impulse;
+      p.normal_impulse = 0;
+      p.tangent_impulse = 0;
+    }
+  }
+  add_share(motions, share);
+}
+
+void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
+  for (ContactConstraint& c : constraints_) {
+    for (int k = 0; k < c.count; ++k) {
+      ConstraintPoint& p = c.points[k];
+      const real normal = share * p.warm_normal;
+      const real tangent = share * p.warm_tangent;
+      p.normal_impulse += normal;
+      p.tangent_impulse += tangent;
+      push_apart(motions[c.body_a], motions[c.body_b], p, normal * c.normal + tangent * perp(c.normal));
+    }
+  }
+}
+
+template <bool driving_out, bool friction>
+void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
+  const std::size_t n = constraints_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    // Up through the pile and down again: neither direction, nor the side the pile was built from, is favoured.
+    ContactConstraint& c = constraints_[driving_out ? i : n - 1 - i];
+    Motion& a = motions[c.body_a];
+    Motion& b = motions[c.body_b];
+    for (int k = 0; k < c.count; ++k) solve_normal<driving_out>(c, c.points[k], a, b, softness_, h);
+    if constexpr (friction) {
+      for (int k = 0; k < c.count; ++k) solve_friction(c, c.points[k], a, b);
+    }
+  }
+}
+
+template <bool driving_out>
+void ContactSolver::sweep(std::vector<Motion>& motions, real h) {
+  if (friction_) {
+    sweep_all<driving_out, true>(motions, h);
+  } else {
+    sweep_all<driving_out, false>(motions, h);
+  }
+}
+
+template void ContactSolver::sweep<true>(std::vector<Motion>&, real);
+template void ContactSolver::sweep<false>(std::vector<Motion>&, real);
+
+void ContactSolver::end_substep() {
+  for (ContactConstraint& c : constraints_) {
+    for (int k = 0; k < c.count; ++k) {
+      c.points[k].normal_total += c.points[k].normal_impulse;
+      c.points[k].tangent_total += c.points[k].tangent_impulse;
+    }
+  }
+}
+
+void ContactSolver::store(std::vector<Contact>& contacts) const {
+  for (const ContactConstraint& c : constraints_) {
+    for (int k = 0; k < c.count; ++k) {
+      const ConstraintPoint& p = c.points[k];
+      contacts[c.contact].impulses[k] = {p.normal_impulse, p.tangent_impulse, p.normal_total, p.tangent_total};
+    }
+  }
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

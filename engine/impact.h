@@ -1,0 +1,21 @@
+#pragma once
+
+/// Impacts with restitution (Newton's law: they part at e times the speed they met at), pair by pair until nothing
+/// approaches, so that a row of equal elastic balls passes the momentum on to the last one.
+///
+/// An impact happens at its own time within the substep, t seconds after the start. The impulse dv is found from the
+/// velocities at that time, gravity included, and the body is set back by dv * t: flying on with the new velocity from
+/// there it arrives where the located impact would have taken it. A ball on a floor keeps its energy exactly.
+
+#include "engine/contact_solver.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+/// Resolves all impacts of the next `h` seconds among contacts with restitution. Bodies that approach slower than
+/// `resting_speed` (m/s) do not bounce: the contact solver brings them to rest. To be called before the first kick.
+void resolve_impacts(std::vector<ContactConstraint>& constraints, const std::vector<Body>& bodies,
+                     std::vector<Motion>& motions, real h, real resting_speed, bool friction);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

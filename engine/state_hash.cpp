@@ -1,0 +1,15 @@
+#include "engine/state_hash.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace proofreel {
+
+std::uint64_t hash_of(const void* bytes, std::size_t size) { return XXH3_64bits(bytes, size); }
+
+std::uint64_t chained_hash(std::uint64_t chain, std::uint64_t state) {
+  const std::uint64_t both[2] = {chain, state};
+  return hash_of(both, sizeof both);
+}
+
+}  // namespace proofreel

@@ -1,0 +1,110 @@
+#pragma once
+
+/// The engine behind the Simulation interface: owns all bodies, contacts and joints and steps them.
+
+#include <memory>
+#include <unordered_set>
+#include <vector>
+
+#include "engine/broad_phase.h"
+#include "engine/contact.h"
+#include "engine/contact_solver.h"
+#include "engine/effects.h"
+#include "engine/joint.h"
+#include "engine/joint_solver.h"
+#include "engine/simulation.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+class World final : public Simulation {
+ public:
+  explicit World(const Scene& scene);
+
+  void step() override;
+  void apply(const Command& command) override;
+  std::int64_t tick() const override { return tick_; }
+  const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  bool exists(BodyId id) const override;
+  bool exists(JointId id) const override;
+  BodyState body(BodyId id) const override;
+  JointView joint(JointId id) const override;
+  std::vector<ContactView> contacts() const override;
+  void observe(Snapshot& snapshot) const override;
+  Energy energy() const override;
+  std::uint64_t state_hash() const override;
+  const std::optional<Failure>& failure() const override { return failure_; }
+
+ private:
+  // The stages of a tick (world.cpp), in order.
+  void rebuild_if_changed();
+  void begin_tick();
+  void find_contacts();
+  void update_boxes();
+  void drop_parted_contacts();
+  void prepare_solvers();
+  void substep(real h);
+  void kick(real h);
+  void drift_all(real h);
+  void end_tick();
+  void book_work();
+  void collect_events();
+  void detect_failure();
+  const char* stage_of_failure(BodyIndex body) const;
+
+  // Commands (world_commands.cpp).
+  void execute(const CreateBody& command);
+  void execute(const ChangeBody& command);
+  void execute(const RemoveBody& command);
+  void execute(const ApplyImpulse& command);
+  void execute(const ApplyForce& command);
+  void execute(const ApplyTorque& command);
+  void execute(const CreateJoint& command);
+  void execute(const RemoveJoint& command);
+  void add_body(const BodyDef& def);
+  void add_joint(const JointDef& def);
+  void reshape(BodyIndex index, Vec2d origin);
+  void remove_shapes(BodyIndex index);
+  void drop_contacts_of(BodyIndex index);
+
+  // Looking (world_observe.cpp).
+  Pose center_pose(BodyIndex index) const;
+  Vec2d origin_of(BodyIndex index) const;
+  ContactView view_of(const Contact& contact) const;
+  void observe_bodies(Snapshot& snapshot) const;
+
+  bool hinged_together(BodyIndex a, BodyIndex b) const;
+  Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
+  bool on(Effect effect) const { return effects_.has(effect); }
+
+  Method method_;
+  int rate_;
+  real dt_;  ///< a tick, s
+  real h_;   ///< a substep, s
+  Vec2 gravity_;
+  std::optional<EffectSet> listed_effects_;
+  EffectCensus census_;
+  EffectSet effects_;
+  bool structure_changed_ = true;
+  bool has_broad_phase_ = false;
+
+  std::vector<Body> bodies_;
+  std::vector<Motion> motions_;  ///< parallel to bodies_
+  std::vector<Shape> shapes_;
+  std::vector<Joint> joints_;
+  BroadPhase broad_phase_;
+  std::vector<Contact> contacts_;
+  ContactSolver contact_solver_;
+  JointSolver joint_solver_;
+  std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies with a revolute joint: they may overlap at the hinge
+  std::vector<ContactEvent> events_;
+  double booked_work_ = 0;
+  std::int64_t tick_ = 0;
+  std::optional<Failure> failure_;
+};
+
+/// The engine in this precision.
+std::unique_ptr<Simulation> make_world(const Scene& scene);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cassert>
+
+#include "engine/mass.h"
+#include "engine/world.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+BodyIndex index_of(BodyId id) { return static_cast<BodyIndex>(id); }
+
+double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
+
+}  // namespace
+
+/// Whatever a command does to the energy is work from outside.
+void World::apply(const Command& command) {
+  const double before = energy().total();
+  std::visit([this](const auto& c) { execute(c); }, command);
+  booked_work_ += energy().total() - before;
+}
+
+void World::add_body(const BodyDef& def) {
+  const auto index = static_cast<BodyIndex>(bodies_.size());
+  Body& body = bodies_.emplace_back();
+  Motion& motion = motions_.emplace_back();
+  body.name = def.name;
+  body.type = def.type;
+  body.fixed_rotation = def.fixed_rotation;
+  body.bullet = def.bullet;
+  body.sensor = def.sensor;
+  body.gravity_scale = static_cast<real>(def.gravity_scale);
+  body.filter = def.filter;
+  body.color = def.color;
+  body.defs = def.shapes;
+  body.given_mass = def.mass;
+  body.given_inertia = def.inertia;
+  motion.angle = static_cast<real>(def.angle);
+  motion.rotation = Rot(Rotd(def.angle));
+  if (def.type != BodyType::fixed) {
+    motion.velocity = Vec2(def.velocity);
+    motion.spin = static_cast<real>(def.spin);
+  }
+  reshape(index, def.position);
+  census_.add(def);
+}
+
+/// Makes shapes and mass from the body's definitions, with its origin at `origin`.
+void World::reshape(BodyIndex index, Vec2d origin) {
+  Body& body = bodies_[index];
+  Motion& motion = motions_[index];
+  BodyDef def;
+  def.type = body.type;
+  def.shapes = body.defs;
+  def.mass = body.given_mass;
+  def.inertia = body.given_inertia;
+  const MassProperties mass = mass_of(def);
+  body.mass = static_cast<real>(mass.mass);
+  body.inertia = static_cast<real>(mass.inertia);
+  body.local_center = Vec2(mass.center);
+  body.center = Vec2(origin + rotate(Rotd(motion.rotation), mass.center));
+  motion.inv_mass = static_cast<real>(inverse_or_zero(mass.mass));
+  motion.inv_inertia = body.fixed_rotation ? real(0) : static_cast<real>(inverse_or_zero(mass.inertia));
+  remove_shapes(index);
+  for (const ShapeDef& shape_def : body.defs) {
+    Shape shape;
+    shape.hull = make_hull(shape_def, mass.center);
+    shape.body = index;
+    shape.friction_at_rest = static_cast<real>(shape_def.friction.at_rest);
+    shape.friction_sliding = static_cast<real>(shape_def.friction.sliding);
+    shape.restitution = static_cast<real>(shape_def.restitution);
+    shape.thickness = thickness(shape.hull);
+    shape.reach = reach(shape.hull);
+    const auto shape_index = static_cast<ShapeIndex>(shapes_.size());
+    if (has_broad_phase_) broad_phase_.add(shape_index, shape, bounds(shape.hull, center_pose(index)));
+    shapes_.push_back(shape);
+    body.shapes.push_back(shape_index);
+  }
+  structure_changed_ = true;
+}
+
+void World::remove_shapes(BodyIndex index) {
+  drop_contacts_of(index);
+  for (const ShapeIndex i : bodies_[index].shapes) {
+    if (has_broad_phase_) broad_phase_.remove(i, shapes_[i]);
+    shapes_[i].alive = false;
+  }
+  bodies_[index].shapes.clear();
+}
+
+void World::drop_contacts_of(BodyIndex index) {
+  std::erase_if(contacts_, [this, index](const Contact& c) {
+    if (c.body_a != index && c.body_b != index) return false;
+    broad_phase_.forget({c.shape_a, c.shape_b});
+    return true;
+  });
+}
+
+void World::execute(const CreateBody& command) { add_body(command.def); }
+
+void World::execute(const ChangeBody& change) {
+  const BodyIndex index = index_of(change.body);
+  Body& body = bodies_[index];
+  Motion& motion = motions_[index];
+  const Vec2d origin = change.position.value_or(origin_of(index));
+  if (change.type) body.type = *change.type;
+  if (change.angle) {
+    motion.angle = static_cast<real>(*change.angle);
+    motion.rotation = Rot(Rotd(*change.angle));
+  }
+  if (change.shapes) body.defs = *change.shapes;
+  for (ShapeDef& shape : body.defs) {
+    if (change.friction) shape.friction = *change.friction;
+    if (change.restitution) shape.restitution = *change.restitution;
+    if (change.density) shape.density = *change.density;
+  }
+  if (change.mass) body.given_mass = change.mass;
+  if (change.inertia) body.given_inertia = change.inertia;
+  if (change.gravity_scale) body.gravity_scale = static_cast<real>(*change.gravity_scale);
+  body.fixed_rotation = change.fixed_rotation.value_or(body.fixed_rotation);
+  body.bullet = change.bullet.value_or(body.bullet);
+  body.sensor = change.sensor.value_or(body.sensor);
+  if (change.filter) body.filter = *change.filter;
+  if (change.color) body.color = change.color;
+  if (change.velocity) motion.velocity = Vec2(*change.velocity);
+  if (change.spin) motion.spin = static_cast<real>(*change.spin);
+  if (body.type == BodyType::fixed) {
+    motion.velocity = {};
+    motion.spin = 0;
+  }
+  const bool only_motion = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
+                           !change.restitution && !change.density && !change.mass && !change.inertia &&
+                           !change.fixed_rotation && !change.sensor && !change.filter;
+  if (only_motion) return;
+  reshape(index, origin);
+  BodyDef def;
+  def.type = body.type;
+  def.sensor = body.sensor;
+  def.shapes = body.defs;
+  census_.add(def);
+}
+
+void World::execute(const RemoveBody& command) {
+  const BodyIndex index = index_of(command.body);
+  remove_shapes(index);
+  for (Joint& joint : joints_) {
+    if (joint.body_a == index || joint.body_b == index) joint.alive = false;
+  }
+  bodies_[index].alive = false;
+  bodies_[index].type = BodyType::fixed;
+  motions_[index].velocity = {};
+  motions_[index].spin = 0;
+  motions_[index].inv_mass = 0;
+  motions_[index].inv_inertia = 0;
+  bodies_[index].mass = 0;
+  bodies_[index].inertia = 0;
+  structure_changed_ = true;
+}
+
+void World::execute(const ApplyImpulse& command) {
+  const BodyIndex index = index_of(command.body);
+  const Vec2 arm = command.at ? Vec2(*command.at) - bodies_[index].center : Vec2{};
+  motions_[index].push(Vec2(command.impulse), arm);
+}
+
+void World::execute(const ApplyForce& command) {
+  Body& body = bodies_[index_of(command.body)];
+  const Vec2 force(command.force);
+  body.force += force;
+  if (command.at) body.torque += cross(Vec2(*command.at) - body.center, force);
+}
+
+void World::execute(const ApplyTorque& command) {
+  bodies_[index_of(command.body)].torque += static_cast<real>(command.torque);
+}
+
+void World::add_joint(const JointDef& def) {
+  Joint joint;
+  joint.kind = def.kind;
+  joint.body_a = index_of(def.a);
+  joint.body_b = index_of(def.b);
+  joint.local_a = Vec2(def.anchor_a) - bodies_[joint.body_a].local_center;
+  joint.local_b = Vec2(def.anchor_b) - bodies_[joint.body_b].local_center;
+  joint.length = static_cast<real>(def.length);
+  joint.stiffness = static_cast<real>(def.stiffness);
+  joint.damping = static_cast<real>(def.damping);
+  joints_.push_back(joint);
+  census_.add(def);
+  structure_changed_ = true;
+}
+
+void World::execute(const CreateJoint& command) { add_joint(command.def); }
+
+void World::execute(const RemoveJoint& command) {
+  joints_[static_cast<std::size_t>(command.joint)].alive = false;
+  structure_changed_ = true;
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
