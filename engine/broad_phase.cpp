@@ -6,8 +6,8 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
 real pair_length(const Shape& a, const Shape& b) {
-  if (a.thickness <= 0) return b.thickness > 0 ? b.thickness : real(0.01) * std::max(a.reach, b.reach);
-  return b.thickness > 0 ? std::min(a.thickness, b.thickness) : a.thickness;
+  if (a.hull.thickness <= 0) return b.hull.thickness > 0 ? b.hull.thickness : real(0.01) * std::max(a.reach, b.reach);
+  return b.hull.thickness > 0 ? std::min(a.hull.thickness, b.hull.thickness) : a.hull.thickness;
 }
 
 bool filters_agree(const FilterDef& a, const FilterDef& b) {
@@ -28,7 +28,7 @@ void BroadPhase::remove(ShapeIndex index, const Shape& shape) {
 void BroadPhase::move(ShapeIndex index, const Shape& shape, const Aabb& box, Vec2 displacement) {
   if (contains(tree_.aabb(shape.proxy), swept(box, displacement))) return;
   // Room for a few ticks to come, so that a body in motion does not leave its box every time.
-  const real margin = real(0.1) * (shape.thickness > 0 ? shape.thickness : shape.reach);
+  const real margin = real(0.1) * (shape.hull.thickness > 0 ? shape.hull.thickness : shape.reach);
   tree_.move(shape.proxy, swept(expanded(box, margin), real(4) * displacement));
   moved_.push_back(index);
 }

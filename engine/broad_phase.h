@@ -24,8 +24,7 @@ struct Shape {
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
-  real thickness = 0;  ///< the width across the thinnest direction
-  real reach = 0;      ///< from the body's centre of mass to the farthest point
+  real reach = 0;  ///< from the body's centre of mass to the farthest point
   ProxyId proxy = 0;
 };
 

@@ -12,6 +12,7 @@ Hull transformed(const Hull& hull, const Pose& pose) {
   Hull out;
   out.count = hull.count;
   out.radius = hull.radius;
+  out.thickness = hull.thickness;
   for (int i = 0; i < hull.count; ++i) {
     out.points[i] = to_world(pose, hull.points[i]);
     out.normals[i] = rotate(pose.rotation, hull.normals[i]);
@@ -152,9 +153,10 @@ void flip(Manifold& m) { m.normal = -m.normal; }
 Manifold collide_hulls(const Hull& a, const Hull& b, real margin) {
   const FaceQuery face_a = farthest_face(a, b);
   const FaceQuery face_b = farthest_face(b, a);
-  // Two parallel faces are equally good; preferring A's keeps the features from changing every other step.
-  const real tolerance = real(0.01) * margin;
-  const bool flipped = face_b.separation > face_a.separation + tolerance;
+  // Two parallel faces in contact are equally good; preferring A's keeps the features from changing every other step.
+  const real tolerance = real(1e-4) * std::min(a.thickness, b.thickness);
+  const bool apart = std::max(face_a.separation, face_b.separation) > tolerance;
+  const bool flipped = face_b.separation > face_a.separation + (apart ? real(0) : tolerance);
   const Hull& ref = flipped ? b : a;
   const Hull& inc = flipped ? a : b;
   const FaceQuery face = flipped ? face_b : face_a;
@@ -165,10 +167,10 @@ Manifold collide_hulls(const Hull& a, const Hull& b, real margin) {
                                 static_cast<std::uint32_t>(inc_face) << 4;
   const ClosestPoints near = closest_on_segments(ref.points[face.face], ref.points[next_index(ref, face.face)],
                                                  inc.points[inc_face], inc.points[next_index(inc, inc_face)]);
-  // Corner against corner: the farthest face sees less than the true distance.
-  const real apart = distance(near.a, near.b);
+  // Corner against corner: the farthest face sees less than the true distance. Where it sees all but a millionth of it,
+  // the faces are as good as parallel, and two points hold better than one.
   const bool corners = face.separation > -tolerance && near.at_ends &&
-                       apart > tolerance + real(1.001) * std::max(face.separation, real(0));
+                       distance(near.a, near.b) > std::max(tolerance, real(1.000001) * face.separation);
   Manifold m = corners ? Manifold{} : clip(ref, face.face, inc, inc_face, margin, feature);
   if (m.count == 0 && face.separation > -tolerance) {
     m = collide_points(near.a, near.b, ref, inc, ref.normals[face.face], margin, feature | 8U);

@@ -27,7 +27,7 @@ struct Contact {
   BodyIndex body_b = 0;
   bool sensor = false;
   bool touching = false;
-  bool began = false;  ///< touches since the last tick
+  bool sliding = false;  ///< of the two coefficients of friction the kinetic one counts
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;

@@ -44,19 +44,14 @@ Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& 
   return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
 }
 
-/// Coulomb's law with two coefficients: the contact sticks as long as the impulse that takes is below the static limit,
-/// and slides against the kinetic one otherwise.
-real friction_limited(real impulse, real normal_impulse, real at_rest, real sliding) {
-  if (std::abs(impulse) <= at_rest * normal_impulse) return impulse;
-  const real limit = sliding * normal_impulse;
-  return std::clamp(impulse, -limit, limit);
-}
+real friction_of(const ContactConstraint& c) { return c.sliding ? c.friction_sliding : c.friction_at_rest; }
 
 void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b) {
   const Vec2 tangent = perp(c.normal);
   const real slip = dot(relative_velocity(a, b, p), tangent);
   const real wanted = p.tangent_impulse - p.tangent_mass * slip;
-  const real impulse = friction_limited(wanted, p.normal_impulse, c.friction_at_rest, c.friction_sliding);
+  const real limit = friction_of(c) * p.normal_impulse;
+  const real impulse = std::clamp(wanted, -limit, limit);
   push_apart(a, b, p, (impulse - p.tangent_impulse) * tangent);
   p.tangent_impulse = impulse;
 }
@@ -81,6 +76,18 @@ void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Mot
   if (!driving_out && separation > 0) impulse = std::min(impulse, p.normal_impulse);
   push_apart(a, b, p, (impulse - p.normal_impulse) * c.normal);
   p.normal_impulse = impulse;
+}
+
+/// Coulomb's law with two coefficients: a contact sticks until it needs all that static friction can give at every
+/// point, then slides against kinetic friction until that would be more than enough.
+bool slides(const ContactConstraint& c) {
+  real used = 0;
+  real available = 0;
+  for (int k = 0; k < c.count; ++k) {
+    used += std::abs(c.points[k].tangent_impulse);
+    available += friction_of(c) * c.points[k].normal_impulse;
+  }
+  return available > 0 && used >= real(0.999999) * available;
 }
 
 }  // namespace
@@ -112,6 +119,7 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
     c.body_a = contact.body_a;
     c.body_b = contact.body_b;
     c.count = contact.manifold.count;
+    c.sliding = contact.sliding;
     c.normal = contact.manifold.normal;
     c.friction_at_rest = contact.friction_at_rest;
     c.friction_sliding = contact.friction_sliding;
@@ -184,11 +192,13 @@ void ContactSolver::end_substep() {
       c.points[k].normal_total += c.points[k].normal_impulse;
       c.points[k].tangent_total += c.points[k].tangent_impulse;
     }
+    c.sliding = slides(c);
   }
 }
 
 void ContactSolver::store(std::vector<Contact>& contacts) const {
   for (const ContactConstraint& c : constraints_) {
+    contacts[c.contact].sliding = c.sliding;
     for (int k = 0; k < c.count; ++k) {
       const ConstraintPoint& p = c.points[k];
       contacts[c.contact].impulses[k] = {p.normal_impulse, p.tangent_impulse, p.normal_total, p.tangent_total};

@@ -42,6 +42,7 @@ struct ContactConstraint {
   BodyIndex body_a = 0;
   BodyIndex body_b = 0;
   int count = 0;
+  bool sliding = false;  ///< as in Contact
   Vec2 normal;
   real friction_at_rest = 0;
   real friction_sliding = 0;
@@ -66,7 +67,7 @@ class ContactSolver {
   void solve(std::vector<Motion>& motions, real h) { sweep<true>(motions, h); }
   /// One sweep that only stops approach.
   void relax(std::vector<Motion>& motions, real h) { sweep<false>(motions, h); }
-  /// Ends a substep: books its impulses.
+  /// Ends a substep: books its impulses and looks which contacts stick and which slide.
   void end_substep();
   /// Hands the impulses back to the contacts.
   void store(std::vector<Contact>& contacts) const;

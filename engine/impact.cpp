@@ -67,9 +67,9 @@ void rub(const Pair& pair, const ConstraintPoint& p, real normal_impulse, real& 
   const Vec2 tangent = perp(pair.c.normal);
   const real slip = dot(pair.b.velocity_at(p.arm_b) - pair.a.velocity_at(p.arm_a), tangent);
   const real wanted = -p.tangent_mass * slip;
-  const real limit = pair.c.friction_sliding * normal_impulse;
   const real held = pair.c.friction_at_rest * normal_impulse;
-  const real impulse = std::abs(wanted) <= held ? wanted : std::clamp(wanted, -limit, limit);
+  const real limit = std::abs(wanted) <= held ? held : pair.c.friction_sliding * normal_impulse;
+  const real impulse = std::clamp(wanted, -limit, limit);
   pair.a.push(-impulse * tangent, p.arm_a);
   pair.b.push(impulse * tangent, p.arm_b);
   total += impulse;

@@ -36,7 +36,13 @@ void kick_spring(Joint& joint, const std::vector<Body>& bodies, std::vector<Moti
   if (stretched <= 0) return;  // no direction to push in; any other position has one
   const Vec2 along = (1 / stretched) * g.gap;
   const real speed = dot(b.velocity_at(g.arm_b) - a.velocity_at(g.arm_a), along);
-  const Vec2 impulse = -h * (joint.stiffness * (stretched - joint.length) + joint.damping * speed) * along;
+  // The damper acts on the mean of the speeds before and after: second order, and stable however strong it is.
+  const real lever_a = cross(g.arm_a, along);
+  const real lever_b = cross(g.arm_b, along);
+  const real inverse_mass =
+      a.inv_mass + b.inv_mass + a.inv_inertia * lever_a * lever_a + b.inv_inertia * lever_b * lever_b;
+  const real force = joint.stiffness * (stretched - joint.length) + joint.damping * speed;
+  const Vec2 impulse = -h * force / (1 + real(0.5) * h * joint.damping * inverse_mass) * along;
   a.push(-impulse, g.arm_a);
   b.push(impulse, g.arm_b);
   joint.impulse += impulse;

@@ -106,7 +106,7 @@ MassProperties mass_of_shapes(const BodyDef& body) {
   std::vector<MassProperties> parts;
   for (const ShapeDef& shape : body.shapes) parts.push_back(mass_of(shape));
   MassProperties sum = combined(parts);
-  if (sum.mass > 0 || body.shapes.empty()) return sum;
+  if (sum.mass > 0 || !body.mass) return sum;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = mass_of_segment(body.shapes[i]);
   return combined(parts);
 }

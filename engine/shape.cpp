@@ -6,6 +6,23 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
+namespace {
+
+real thickness_of(const Hull& hull) {
+  if (hull.count < 3) return 2 * hull.radius;
+  real thinnest = std::numeric_limits<real>::max();
+  for (int i = 0; i < hull.count; ++i) {
+    real depth = 0;
+    for (int j = 0; j < hull.count; ++j) {
+      depth = std::max(depth, -dot(hull.normals[i], hull.points[j] - hull.points[i]));
+    }
+    thinnest = std::min(thinnest, depth);
+  }
+  return thinnest + 2 * hull.radius;
+}
+
+}  // namespace
+
 Hull make_hull(const ShapeDef& def, Vec2d center) {
   assert(!def.points.empty() && def.points.size() <= max_polygon_vertices);
   Hull hull;
@@ -17,6 +34,7 @@ Hull make_hull(const ShapeDef& def, Vec2d center) {
     hull.points[i] = Vec2(here - center);
     hull.normals[i] = Vec2(-perp(normalized(next - here)));
   }
+  hull.thickness = thickness_of(hull);
   return hull;
 }
 
@@ -24,19 +42,6 @@ Aabb bounds(const Hull& hull, const Pose& pose) {
   Aabb box;
   for (int i = 0; i < hull.count; ++i) box = merged(box, to_world(pose, hull.points[i]));
   return expanded(box, hull.radius);
-}
-
-real thickness(const Hull& hull) {
-  if (hull.count < 3) return 2 * hull.radius;
-  real thinnest = std::numeric_limits<real>::max();
-  for (int i = 0; i < hull.count; ++i) {
-    real depth = 0;
-    for (int j = 0; j < hull.count; ++j) {
-      depth = std::max(depth, -dot(hull.normals[i], hull.points[j] - hull.points[i]));
-    }
-    thinnest = std::min(thinnest, depth);
-  }
-  return thinnest + 2 * hull.radius;
 }
 
 real reach(const Hull& hull) {

@@ -17,6 +17,7 @@ struct Hull {
   Vec2 normals[max_polygon_vertices];  ///< unit, outward; normals[i] belongs to the edge from points[i] to the next
   int count = 0;
   real radius = 0;
+  real thickness = 0;  ///< the width across the thinnest direction, rounding included; 0 for a bare segment
 };
 
 /// `center` is the body's centre of mass in the coordinates `def` is written in.
@@ -24,9 +25,6 @@ Hull make_hull(const ShapeDef& def, Vec2d center);
 
 /// The smallest box around the hull at a pose.
 Aabb bounds(const Hull& hull, const Pose& pose);
-
-/// The width across the thinnest direction, rounding included: the length that slop and margins are measured by.
-real thickness(const Hull& hull);
 
 /// The distance from the centre of mass to the farthest point.
 real reach(const Hull& hull);

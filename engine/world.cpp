@@ -237,6 +237,7 @@ void World::collect_events() {
 
 void World::detect_failure() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].type != BodyType::dynamic) continue;
     const Motion& m = motions_[i];
     if (is_finite(bodies_[i].center) && is_finite(m.velocity) && std::isfinite(m.angle) && std::isfinite(m.spin))
       continue;

@@ -70,7 +70,6 @@ void World::reshape(BodyIndex index, Vec2d origin) {
     shape.friction_at_rest = static_cast<real>(shape_def.friction.at_rest);
     shape.friction_sliding = static_cast<real>(shape_def.friction.sliding);
     shape.restitution = static_cast<real>(shape_def.restitution);
-    shape.thickness = thickness(shape.hull);
     shape.reach = reach(shape.hull);
     const auto shape_index = static_cast<ShapeIndex>(shapes_.size());
     if (has_broad_phase_) broad_phase_.add(shape_index, shape, bounds(shape.hull, center_pose(index)));

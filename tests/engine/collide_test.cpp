@@ -1,0 +1,257 @@
+#include "engine/collide.h"
+
+#include <catch2/catch.hpp>
+
+#include "engine/polygon.h"
+#include "tests/engine/random.h"
+#include "tests/engine/scenes.h"
+
+using namespace proofreel;
+using namespace proofreel::test;
+
+namespace {
+
+/// A random hull of 1 to 8 corners, rounded half of the time (discs always).
+ShapeDef random_shape(Random& random) {
+  ShapeDef shape;
+  const int corners = 1 + static_cast<int>(random.below(8));
+  while (static_cast<int>(shape.points.size()) < std::min(corners, 3)) {
+    shape.points.clear();
+    for (int i = 0; i < corners; ++i) shape.points.push_back({random.between(-1, 1), random.between(-1, 1)});
+    shape.points = convex_hull(shape.points);
+  }
+  shape.radius = corners == 1 || random.below(2) == 1 ? random.between(0.05, 0.5) : 0;
+  if (corners == 2 && shape.radius == 0) shape.radius = 0.1;
+  return shape;
+}
+
+std::vector<Vec2d> placed(const ShapeDef& shape, Vec2d position, double angle) {
+  std::vector<Vec2d> points;
+  for (const Vec2d p : shape.points) points.push_back(position + rotate(Rotd(angle), p));
+  return points;
+}
+
+double distance_to_segment(Vec2d p, Vec2d a, Vec2d b) {
+  const double l2 = dot(b - a, b - a);
+  const double t = l2 > 0 ? std::clamp(dot(p - a, b - a) / l2, 0.0, 1.0) : 0.0;
+  return distance(p, lerp(a, b, t));
+}
+
+/// The largest gap along any direction that could separate two cores: brute force over all edge normals. Positive when
+/// apart.
+double separation_along_normals(const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
+  double best = -1e300;
+  const auto try_edges = [&](const std::vector<Vec2d>& p, const std::vector<Vec2d>& q) {
+    for (std::size_t i = 0; p.size() > 1 && i < p.size(); ++i) {
+      const Vec2d n = -perp(normalized(p[(i + 1) % p.size()] - p[i]));
+      double nearest = 1e300;
+      for (const Vec2d x : q) nearest = std::min(nearest, dot(n, x - p[i]));
+      best = std::max(best, nearest);
+    }
+  };
+  try_edges(a, b);
+  try_edges(b, a);
+  return best;
+}
+
+/// The distance of two cores by trying every corner against every edge; they must be apart.
+double distance_by_brute_force(const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      nearest = std::min(nearest, distance_to_segment(a[i], b[j], b[(j + 1) % b.size()]));
+      nearest = std::min(nearest, distance_to_segment(b[j], a[i], a[(i + 1) % a.size()]));
+    }
+  }
+  return nearest;
+}
+
+bool cross_each_other(const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Vec2d a1 = a[i], a2 = a[(i + 1) % a.size()], b1 = b[j], b2 = b[(j + 1) % b.size()];
+      if (orientation(a1, a2, b1) * orientation(a1, a2, b2) < 0 &&
+          orientation(b1, b2, a1) * orientation(b1, b2, a2) < 0) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool inside(Vec2d p, const std::vector<Vec2d>& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (orientation(polygon[i], polygon[(i + 1) % polygon.size()], p) < 0) return false;
+  }
+  return true;
+}
+
+struct Placed {
+  ShapeDef shape;
+  Vec2d position;
+  double angle = 0;
+};
+
+Manifold collide_placed(const Placed& a, const Placed& b, double margin) {
+  return collide(make_hull(a.shape, {}), {Vec2(a.position), Rot(Rotd(a.angle))}, make_hull(b.shape, {}),
+                 {Vec2(b.position), Rot(Rotd(b.angle))}, static_cast<real>(margin));
+}
+
+double deepest(const Manifold& m) {
+  double s = 1e300;
+  for (int i = 0; i < m.count; ++i) s = std::min(s, static_cast<double>(m.points[i].separation));
+  return s;
+}
+
+Placed random_placed(Random& random, double spread) {
+  return {
+      random_shape(random), {random.between(-spread, spread), random.between(-spread, spread)}, random.between(-4, 4)};
+}
+
+}  // namespace
+
+TEST_CASE("The separation of shapes that are apart is their true distance", "[collide]") {
+  Random random(11);
+  // Corners that face each other almost squarely are taken for faces, which costs up to a millionth.
+  const double tolerance = pick(5e-6, 5e-5);
+  int seen = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const Placed a = random_placed(random, 1.5);
+    const Placed b = random_placed(random, 1.5);
+    const auto pa = placed(a.shape, a.position, a.angle);
+    const auto pb = placed(b.shape, b.position, b.angle);
+    const bool apart = !cross_each_other(pa, pb) && distance_by_brute_force(pa, pb) > 0.01 &&
+                       (pa.size() < 3 || !inside(pb[0], pa)) && (pb.size() < 3 || !inside(pa[0], pb));
+    if (!apart) continue;
+    ++seen;
+    const double truth = distance_by_brute_force(pa, pb) - a.shape.radius - b.shape.radius;
+    const Manifold m = collide_placed(a, b, 10);
+    REQUIRE(m.count > 0);
+    INFO("pair " << i << ", corners " << pa.size() << " and " << pb.size());
+    REQUIRE(deepest(m) == Approx(truth).margin(tolerance));
+  }
+  CHECK(seen > 20000);
+}
+
+TEST_CASE("Overlapping polygons are separated along the axis of least penetration", "[collide]") {
+  Random random(12);
+  int seen = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const Placed a = random_placed(random, 0.7);
+    const Placed b = random_placed(random, 0.7);
+    if (a.shape.points.size() < 3 || b.shape.points.size() < 3) continue;
+    const double truth =
+        separation_along_normals(placed(a.shape, a.position, a.angle), placed(b.shape, b.position, b.angle));
+    if (truth > -0.01) continue;
+    ++seen;
+    const Manifold m = collide_placed(a, b, 0.001);
+    REQUIRE(m.count > 0);
+    REQUIRE(deepest(m) == Approx(truth - a.shape.radius - b.shape.radius).margin(3e-4));
+    // Moving b out along the normal by that much parts them.
+    Placed parted = b;
+    parted.position += (1e-3 - truth) * Vec2d(m.normal);
+    REQUIRE(separation_along_normals(placed(a.shape, a.position, a.angle),
+                                     placed(parted.shape, parted.position, parted.angle)) > 0);
+  }
+  CHECK(seen > 5000);
+}
+
+TEST_CASE("Swapping the shapes turns the normal round and changes nothing else", "[collide]") {
+  Random random(13);
+  for (int i = 0; i < 20000; ++i) {
+    const Placed a = random_placed(random, 1.2);
+    const Placed b = random_placed(random, 1.2);
+    const Manifold ab = collide_placed(a, b, 0.3);
+    const Manifold ba = collide_placed(b, a, 0.3);
+    REQUIRE((ab.count > 0) == (ba.count > 0));
+    if (ab.count == 0) continue;
+    REQUIRE(deepest(ab) == Approx(deepest(ba)).margin(3e-4));
+    REQUIRE(dot(ab.normal, ab.normal) == Approx(1).margin(1e-5));
+  }
+}
+
+TEST_CASE("A manifold does not depend on where in the world it is", "[collide]") {
+  const Placed a{box_shape(1, 1), {0, 0}, 0.3};
+  const Placed b{box_shape(1, 2), {0.7, 0.9}, -0.2};
+  const Manifold here = collide_placed(a, b, 0.1);
+  Placed far_a = a;
+  Placed far_b = b;
+  far_a.position += Vec2d{65536, -131072};  // powers of two, so that the sum itself loses only what float must lose
+  far_b.position += Vec2d{65536, -131072};
+  const Manifold there = collide_placed(far_a, far_b, 0.1);
+  REQUIRE(here.count == 2);
+  REQUIRE(there.count == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(there.points[i].separation == Approx(here.points[i].separation).margin(pick(1e-10, 0.02)));
+    CHECK(there.points[i].feature == here.points[i].feature);
+  }
+}
+
+TEST_CASE("Discs with the same centre overlap by the sum of their radii, straight up", "[collide]") {
+  const Manifold m = collide_placed({disc_shape(0.5), {1, 1}, 0}, {disc_shape(0.25), {1, 1}, 0}, 0);
+  REQUIRE(m.count == 1);
+  CHECK(m.points[0].separation == Approx(-0.75));
+  CHECK(m.normal == Vec2{0, 1});
+}
+
+TEST_CASE("A disc whose centre is inside a box leaves through the nearest face", "[collide]") {
+  const Manifold m = collide_placed({box_shape(4, 2), {0, 0}, 0}, {disc_shape(0.25), {1.5, 0.2}, 0}, 0);
+  REQUIRE(m.count == 1);
+  CHECK(m.normal.x == Approx(1));
+  CHECK(m.points[0].separation == Approx(-0.5 - 0.25));
+}
+
+TEST_CASE("A disc at a box's corner is pushed along the line to the corner", "[collide]") {
+  const Manifold m = collide_placed({box_shape(2, 2), {0, 0}, 0}, {disc_shape(0.5), {1.3, 1.3}, 0}, 0.1);
+  REQUIRE(m.count == 1);
+  CHECK(m.normal.x == Approx(m.normal.y));
+  CHECK(m.points[0].separation == Approx(std::sqrt(0.18) - 0.5).margin(1e-6));
+}
+
+TEST_CASE("A box that lies on another touches it in two points", "[collide]") {
+  const Manifold m = collide_placed({box_shape(4, 1), {0, 0}, 0}, {box_shape(1, 1), {0.5, 0.99}, 0}, 0.01);
+  REQUIRE(m.count == 2);
+  CHECK(m.normal.y == Approx(1));
+  CHECK(std::abs(m.points[0].point.x - m.points[1].point.x) == Approx(1));
+  CHECK(m.points[0].separation == Approx(-0.01).margin(1e-6));
+  CHECK(m.points[0].feature != m.points[1].feature);
+}
+
+TEST_CASE("Capsules end to end touch in one point between their ends", "[collide]") {
+  ShapeDef capsule;
+  capsule.points = {{-0.5, 0}, {0.5, 0}};
+  capsule.radius = 0.1;
+  const Manifold m = collide_placed({capsule, {0, 0}, 0}, {capsule, {1.15, 0}, 0}, 0.1);
+  REQUIRE(m.count == 1);
+  CHECK(m.normal.x == Approx(1));
+  CHECK(m.points[0].separation == Approx(-0.05).margin(1e-6));
+  CHECK(m.points[0].point.x == Approx(0.575));
+}
+
+TEST_CASE("Crossing capsules are separated across the shorter way", "[collide]") {
+  ShapeDef long_one;
+  long_one.points = {{-2, 0}, {2, 0}};
+  long_one.radius = 0.1;
+  ShapeDef short_one;
+  short_one.points = {{0, -0.3}, {0, 1}};
+  short_one.radius = 0.1;
+  const Manifold m = collide_placed({long_one, {0, 0}, 0}, {short_one, {0, 0}, 0}, 0.01);
+  REQUIRE(m.count >= 1);
+  CHECK(m.normal.y == Approx(1));
+  CHECK(deepest(m) == Approx(-0.3 - 0.2).margin(1e-6));
+}
+
+TEST_CASE("Features stay the same under small motion", "[collide]") {
+  const Placed a{box_shape(4, 1), {0, 0}, 0};
+  const Manifold before = collide_placed(a, {box_shape(1, 1), {0.5, 0.999}, 0}, 0.02);
+  for (const double tilt : {-1e-4, 1e-4}) {
+    const Manifold after = collide_placed(a, {box_shape(1, 1), {0.501, 1.0}, tilt}, 0.02);
+    REQUIRE(after.count == before.count);
+    for (int i = 0; i < after.count; ++i) CHECK(after.points[i].feature == before.points[i].feature);
+  }
+}
+
+TEST_CASE("Shapes farther apart than the margin make no manifold", "[collide]") {
+  CHECK(collide_placed({disc_shape(1), {0, 0}, 0}, {disc_shape(1), {2.2, 0}, 0}, 0.1).count == 0);
+  CHECK(collide_placed({box_shape(1, 1), {0, 0}, 0}, {box_shape(1, 1), {1.2, 0}, 0}, 0.1).count == 0);
+}

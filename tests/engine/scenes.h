@@ -1,0 +1,59 @@
+#pragma once
+
+/// Small scenes for the tests of the engine, built the way a scenario would build them.
+
+#include <memory>
+
+#include "engine/simulation.h"
+#include "engine/world.h"
+
+namespace proofreel::test {
+
+inline ShapeDef box_shape(double width, double height) {
+  ShapeDef shape;
+  shape.points = {
+      {-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}};
+  return shape;
+}
+
+inline ShapeDef disc_shape(double radius) {
+  ShapeDef shape;
+  shape.points = {{0, 0}};
+  shape.radius = radius;
+  return shape;
+}
+
+inline BodyDef body_with(const ShapeDef& shape, Vec2d position, BodyType type = BodyType::dynamic) {
+  BodyDef body;
+  body.type = type;
+  body.position = position;
+  body.shapes = {shape};
+  return body;
+}
+
+/// A floor whose top is y = 0.
+inline BodyDef floor_body() { return body_with(box_shape(100, 1), {0, -0.5}, BodyType::fixed); }
+
+inline JointDef joint_between(JointKind kind, BodyId a, Vec2d anchor_a, BodyId b, Vec2d anchor_b, double length = 0) {
+  JointDef joint;
+  joint.kind = kind;
+  joint.a = a;
+  joint.b = b;
+  joint.anchor_a = anchor_a;
+  joint.anchor_b = anchor_b;
+  joint.length = length;
+  return joint;
+}
+
+/// The engine in the precision this test program is built in.
+inline std::unique_ptr<Simulation> simulate(const Scene& scene) { return make_world(scene); }
+
+inline void run(Simulation& simulation, double seconds, int rate = 240) {
+  for (int i = 0; i < static_cast<int>(seconds * rate + 0.5); ++i) simulation.step();
+}
+
+inline constexpr bool is_double = sizeof(real) == sizeof(double);
+/// The tolerance to use: one for double, one for float.
+inline constexpr double pick(double for_double, double for_float) { return is_double ? for_double : for_float; }
+
+}  // namespace proofreel::test
