@@ -86,7 +86,6 @@ Manifold collide_hull_disc(const Hull& hull, const Hull& disc, real margin) {
 struct ClosestPoints {
   Vec2 a;
   Vec2 b;
-  bool at_ends = false;  ///< both are end points of their segments
 };
 
 /// The closest points of the segments p1-q1 and p2-q2 (after Ericson 2005, section 5.1.9).
@@ -106,8 +105,7 @@ ClosestPoints closest_on_segments(Vec2 p1, Vec2 q1, Vec2 p2, Vec2 q2) {
     t = std::clamp(t, real(0), real(1));
     s = std::clamp((b * t - c) / a, real(0), real(1));
   }
-  const bool ends = (s == 0 || s == 1) && (t == 0 || t == 1);
-  return {p1 + s * d1, p2 + t * d2, ends};
+  return {p1 + s * d1, p2 + t * d2};
 }
 
 /// The edge of `hull` that faces against `normal`: one of the two at the vertex deepest along it.
@@ -147,6 +145,12 @@ Manifold clip(const Hull& ref, int ref_face, const Hull& inc, int inc_face, real
   return m;
 }
 
+real deepest(const Manifold& m) {
+  real least = std::numeric_limits<real>::max();
+  for (int i = 0; i < m.count; ++i) least = std::min(least, m.points[i].separation);
+  return least;
+}
+
 void flip(Manifold& m) { m.normal = -m.normal; }
 
 /// Two hulls of two or more points. `b` is in a's frame.
@@ -167,12 +171,11 @@ Manifold collide_hulls(const Hull& a, const Hull& b, real margin) {
                                 static_cast<std::uint32_t>(inc_face) << 4;
   const ClosestPoints near = closest_on_segments(ref.points[face.face], ref.points[next_index(ref, face.face)],
                                                  inc.points[inc_face], inc.points[next_index(inc, inc_face)]);
-  // Corner against corner: the farthest face sees less than the true distance. Where it sees all but a millionth of it,
-  // the faces are as good as parallel, and two points hold better than one.
-  const bool corners = face.separation > -tolerance && near.at_ends &&
-                       distance(near.a, near.b) > std::max(tolerance, real(1.000001) * face.separation);
-  Manifold m = corners ? Manifold{} : clip(ref, face.face, inc, inc_face, margin, feature);
-  if (m.count == 0 && face.separation > -tolerance) {
+  Manifold m = clip(ref, face.face, inc, inc_face, margin, feature);
+  // Corner against corner: clipping finds nothing of the incident edge, or only parts that are farther away.
+  const real core_distance = distance(near.a, near.b);
+  const bool missed = deepest(m) > core_distance - a.radius - b.radius + real(0.01) * tolerance;
+  if (missed && face.separation > -tolerance) {
     m = collide_points(near.a, near.b, ref, inc, ref.normals[face.face], margin, feature | 8U);
   }
   if (flipped) flip(m);
