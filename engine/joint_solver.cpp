@@ -11,6 +11,11 @@ namespace {
 /// Newton's iterations for the positions converge quadratically at first and then at the rate the bodies turn per
 /// substep; two or three are the rule.
 constexpr int max_newton_steps = 12;
+/// What Newton's method may leave open, relative to the joint's size, and still count as having arrived.
+constexpr real good_enough = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-4);
+/// Where joints contradict each other, nearly singular rows would ask for any impulse to win the last nanometre. So
+/// much give, relative to the row's own mass, keeps them finite; what it leaves open the next Newton step closes.
+constexpr real compliance = sizeof(real) == sizeof(double) ? real(1e-6) : real(1e-4);
 /// A joint that starts torn is closed at this many times its own size per second, gently instead of within one substep.
 constexpr real closing_rate = 4;
 
@@ -107,6 +112,7 @@ void JointSolver::linearize(const std::vector<Joint>& joints, const std::vector<
     const real entry = m.inv_mass * dot(row.direction, column.direction) + m.inv_inertia * arms;
     matrix_.at(k.row, k.column) += k.row_is_b == k.column_is_b ? entry : -entry;
   }
+  for (int r = 0; r < matrix_.size(); ++r) matrix_.at(r, r) *= 1 + compliance;
   matrix_.factor();
 }
 
@@ -168,18 +174,46 @@ real JointSolver::predict(const std::vector<Joint>& joints, const std::vector<Bo
   return worst;
 }
 
+void JointSolver::add_solution(std::vector<Joint>& joints, std::vector<Motion>& motions) const {
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    component_of(joints[rows_[r].joint].warm_impulse, rows_[r].component) += right_side_[r];
+    apply(rows_[r], right_side_[r], joints, motions);
+  }
+}
+
+void JointSolver::take_back(std::vector<Joint>& joints, std::vector<Motion>& motions) const {
+  for (const Row& row : rows_) {
+    real& impulse = component_of(joints[row.joint].warm_impulse, row.component);
+    apply(row, -impulse, joints, motions);
+    impulse = 0;
+  }
+}
+
+/// Newton's method. Where joints contradict each other (a chain pulled straight between two walls) no impulses lead to
+/// a solution, and looking for one would only throw the bodies about: then the joints are closed at a bounded speed
+/// instead.
 void JointSolver::solve_positions(std::vector<Joint>& joints, const std::vector<Body>& bodies,
                                   std::vector<Motion>& motions, real h) {
   set_goals(joints, bodies, motions, h);
   const real tolerance = 32 * std::numeric_limits<real>::epsilon();
-  for (int step = 0; step < max_newton_steps; ++step) {
-    if (predict(joints, bodies, motions, h) <= tolerance) return;
+  real miss = predict(joints, bodies, motions, h);
+  for (int step = 0; step < max_newton_steps && miss > tolerance; ++step) {
     matrix_.solve(right_side_);
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      component_of(joints[rows_[r].joint].warm_impulse, rows_[r].component) += right_side_[r];
-      apply(rows_[r], right_side_[r], joints, motions);
-    }
+    add_solution(joints, motions);
+    const real next = predict(joints, bodies, motions, h);
+    if (!(next < miss)) break;
+    miss = next;
   }
+  if (miss <= good_enough) return;
+  take_back(joints, motions);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Joint& joint = joints[rows_[r].joint];
+    const real open = row_violation(rows_[r], joint, anchor_gap(joint, bodies, motions).gap);
+    const real most = closing_rate * size_of(joint);
+    right_side_[r] = -row_speed(rows_[r], motions) - std::clamp(real(0.1) * open / h, -most, most);
+  }
+  matrix_.solve(right_side_);
+  for (std::size_t r = 0; r < rows_.size(); ++r) apply(rows_[r], right_side_[r], joints, motions);
 }
 
 real JointSolver::row_speed(const Row& row, const std::vector<Motion>& motions) const {

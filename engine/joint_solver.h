@@ -55,6 +55,8 @@ class JointSolver {
   real row_violation(const Row& row, const Joint& joint, Vec2 gap) const;
   real row_speed(const Row& row, const std::vector<Motion>& motions) const;
   void apply(const Row& row, real impulse, std::vector<Joint>& joints, std::vector<Motion>& motions) const;
+  void add_solution(std::vector<Joint>& joints, std::vector<Motion>& motions) const;
+  void take_back(std::vector<Joint>& joints, std::vector<Motion>& motions) const;
   void set_goals(const std::vector<Joint>& joints, const std::vector<Body>& bodies, const std::vector<Motion>& motions,
                  real h);
   real predict(const std::vector<Joint>& joints, const std::vector<Body>& bodies, const std::vector<Motion>& motions,

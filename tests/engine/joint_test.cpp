@@ -135,6 +135,29 @@ TEST_CASE("A frame with more bars than it needs stays rigid", "[joint]") {
   CHECK(widest < pick(1e-9, 1e-3));
 }
 
+TEST_CASE("A chain pulled straight between two walls cannot sag, and stays finite", "[joint]") {
+  // Twenty planks as long as the gap they span: no finite force could carry their weight, so the joints contradict each
+  // other. The engine must neither throw them about nor let the hinges open visibly.
+  Scene scene;
+  for (int i = 1; i <= 20; ++i) {
+    scene.bodies.push_back(body_with(box_shape(0.48, 0.12), {0.5 * i - 0.25, 0}));
+    scene.bodies.back().filter.group = -1;
+    const Vec2d left = i == 1 ? Vec2d{0, 0} : Vec2d{0.25, 0};
+    scene.joints.push_back(joint_between(JointKind::revolute, BodyId(i - 1), left, BodyId(i), {-0.25, 0}));
+  }
+  scene.joints.push_back(joint_between(JointKind::revolute, BodyId{20}, {0.25, 0}, BodyId::world, {10, 0}));
+  auto simulation = simulate(scene);
+  double widest = 0;
+  double fastest = 0;
+  for (int i = 0; i < 5 * 240; ++i) {
+    simulation->step();
+    for (std::uint32_t j = 0; j < 21; ++j) widest = std::max(widest, simulation->joint(JointId{j}).gap);
+    for (int k = 1; k <= 20; ++k) fastest = std::max(fastest, length(simulation->body(BodyId(k)).velocity));
+  }
+  CHECK(widest < 1e-3);
+  CHECK(fastest < 3);
+}
+
 TEST_CASE("A torn joint closes gently instead of within one step", "[joint]") {
   Scene scene;
   scene.gravity = {0, 0};
