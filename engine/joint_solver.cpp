@@ -12,10 +12,10 @@ namespace {
 /// substep; two or three are the rule.
 constexpr int max_newton_steps = 12;
 /// What Newton's method may leave open, relative to the joint's size, and still count as having arrived.
-constexpr real good_enough = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-4);
+constexpr real good_enough = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-5);
 /// Where joints contradict each other, nearly singular rows would ask for any impulse to win the last nanometre. So
 /// much give, relative to the row's own mass, keeps them finite; what it leaves open the next Newton step closes.
-constexpr real compliance = sizeof(real) == sizeof(double) ? real(1e-6) : real(1e-4);
+constexpr real compliance = sizeof(real) == sizeof(double) ? real(1e-6) : real(1e-6);
 /// A joint that starts torn is closed at this many times its own size per second, gently instead of within one substep.
 constexpr real closing_rate = 4;
 

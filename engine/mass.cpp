@@ -114,8 +114,8 @@ MassProperties mass_of_shapes(const BodyDef& body) {
 }  // namespace
 
 MassProperties mass_of(const BodyDef& body) {
+  if (body.type != BodyType::dynamic) return {};
   MassProperties result = mass_of_shapes(body);
-  if (body.type != BodyType::dynamic) return {0, result.center, 0};
   if (body.mass) {
     if (result.mass > 0) result.inertia *= *body.mass / result.mass;
     result.mass = *body.mass;

@@ -25,7 +25,8 @@ MassProperties mass_of(const ShapeDef& shape);
 MassProperties combined(std::span<const MassProperties> parts);
 
 /// Of a whole body, with the mass and inertia its definition asks for. `mass` without `inertia` scales the inertia.
-/// Only dynamic bodies have mass; the centre is computed for all.
+/// Only dynamic bodies have mass. The others have their centre at the origin: a kinematic body turns about the point it
+/// is placed by.
 MassProperties mass_of(const BodyDef& body);
 
 }  // namespace proofreel

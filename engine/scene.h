@@ -56,7 +56,7 @@ struct BodyDef {
   BodyType type = BodyType::dynamic;
   Vec2d position;  ///< of the origin the shapes' coordinates are written in
   double angle = 0;
-  Vec2d velocity;  ///< of the centre of mass
+  Vec2d velocity;  ///< of the centre of mass; a kinematic body's is its origin
   double spin = 0;
   std::vector<ShapeDef> shapes;
   std::optional<double> mass;     ///< kg; without it, density times area

@@ -7,7 +7,8 @@ scenario {
 
 -- The plate is lifted about its left end at a constant, slow rate, so that a block starts when tan(angle) = mu.
 local rate = math.rad(9)
-local plate = body { name = "plate", type = "kinematic", at = {0, 0}, spin = rate, friction = 1, shape = box { width = 9, height = 0.2, at = {4.5, 0} } }
+local plate = body { name = "plate", type = "kinematic", at = {0, 0}, friction = 1, shape = box { width = 9, height = 0.2, at = {4.5, 0} } }
+every(1 / 240, function() plate:set { spin = rate * math.min(1, time()) } end)   -- set going without a jolt
 local blocks = {}
 for i, mu in ipairs { 0.1, 0.2, 0.3, 0.4, 0.5 } do
   local x = 1.5 + 1.5 * (i - 1)

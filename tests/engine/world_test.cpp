@@ -109,6 +109,18 @@ TEST_CASE("An off-centre shape turns about its centre of mass, not about its ori
   CHECK(simulation->body(BodyId{1}).position.x == Approx(2).margin(1e-4));
 }
 
+TEST_CASE("A kinematic body turns about its origin", "[world]") {
+  Scene scene;
+  ShapeDef arm = box_shape(2, 0.2);
+  for (Vec2d& p : arm.points) p.x += 1;
+  scene.bodies = {body_with(arm, {3, 4}, BodyType::kinematic)};
+  scene.bodies[0].spin = 1;
+  auto simulation = simulate(scene);
+  run(*simulation, 2);
+  CHECK(simulation->body(BodyId{1}).position == Vec2d{3, 4});
+  CHECK(simulation->body(BodyId{1}).angle == Approx(2).epsilon(1e-5));
+}
+
 TEST_CASE("A resting box reports no velocity and is carried by m g", "[world]") {
   auto simulation = simulate(with_floor(body_with(box_shape(1, 1), {0, 0.5})));
   run(*simulation, 3);
