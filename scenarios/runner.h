@@ -29,6 +29,12 @@ struct ExpectationResult {
   std::int64_t tick = 0;  ///< where it first failed, or was last looked at
 };
 
+/// What was measured at one sampled tick.
+struct Sample {
+  std::int64_t tick = 0;
+  std::vector<double> values;  ///< of Scenario::measures, in their order
+};
+
 struct RunReport {
   std::string scenario;
   std::int64_t ticks = 0;
@@ -47,6 +53,8 @@ class Runner {
  public:
   /// The scenario must outlive the runner, and runs once.
   explicit Runner(Scenario& scenario);
+  /// Steps a simulation made of the scenario's scene by somebody else: a peer, or a test.
+  Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation);
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
@@ -59,6 +67,8 @@ class Runner {
   const Simulation& simulation() const;
   /// The picture of this moment, as film frame `index`. Plots and trails hold what happened until now.
   Frame frame(std::int64_t index) const;
+  /// All samples so far: one at every film frame's tick and one at the last.
+  const std::vector<Sample>& samples() const;
   /// Steps what is left and says how it went.
   RunReport finish();
 

@@ -158,6 +158,7 @@ struct Scenario {
   std::vector<Measure> measures;
   std::vector<Expectation> expectations;
   std::vector<std::string> warnings;
+  std::vector<std::string> body_names;  ///< of body i + 1; grows with the bodies a running script makes
   std::unique_ptr<Script> script;
 
   /// Ticks of the whole run: round(duration * rate).

@@ -1,0 +1,122 @@
+#include "scenarios/film.h"
+
+#include <algorithm>
+
+#include "scenarios/timeline.h"
+
+namespace proofreel {
+namespace {
+
+/// How far a camera move has come, 0 to 1: starts and ends at rest.
+double eased(double part) {
+  const double s = std::clamp(part, 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
+double progress(const CameraMove& move, double time) { return move.over > 0 ? eased((time - move.at) / move.over) : 1; }
+
+/// Each move leads from what the moves before it show now, which may itself be moving, to its own target.
+View camera_view(const Scenario& scenario, const Recorder& recorder, const Snapshot& snapshot) {
+  const std::vector<CameraMove>& moves = scenario.picture.camera;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (tick_at(moves[i].at, scenario.scene.rate) <= snapshot.tick) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return moves[a].at < moves[b].at; });
+  View view = scenario.picture.view;
+  for (const std::size_t i : order) {
+    const double part = progress(moves[i], snapshot.time);
+    const Vec2d center =
+        moves[i].follow ? recorder.followed(i).value_or(view.center) : moves[i].center.value_or(view.center);
+    view.center = lerp(view.center, center, part);
+    view.height += part * (moves[i].height.value_or(view.height) - view.height);
+  }
+  return view;
+}
+
+/// N s that all touching contacts have pushed `body` with.
+Vec2d contact_impulse(const Snapshot& snapshot, BodyId body) {
+  Vec2d sum;
+  for (const ContactView& contact : snapshot.contacts) {
+    if (contact.a != body && contact.b != body) continue;
+    const double side = contact.b == body ? 1 : -1;
+    for (int i = 0; i < contact.point_count; ++i) sum += side * contact.points[i].normal_impulse * contact.normal;
+  }
+  return sum;
+}
+
+Vec2d quantity(const Snapshot& snapshot, const BodyView& body, VectorOf of) {
+  switch (of) {
+    case VectorOf::velocity:
+      return body.state.velocity;
+    case VectorOf::force:
+      return body.force;
+    case VectorOf::momentum:
+      return body.state.mass * body.state.velocity;
+    case VectorOf::acceleration:
+      return body.state.mass > 0 ? (1 / body.state.mass) * body.force : Vec2d{};
+    case VectorOf::contact_impulse:
+      return contact_impulse(snapshot, body.id);
+  }
+  return {};
+}
+
+std::vector<ArrowView> arrows(const Picture& picture, const Snapshot& snapshot) {
+  std::vector<ArrowView> views;
+  for (const VectorMark& mark : picture.vectors) {
+    const BodyView* body = find_body(snapshot, mark.body);
+    if (body == nullptr) continue;
+    const Vec2d from = body->state.center;
+    views.push_back({mark.of, from, from + mark.scale * quantity(snapshot, *body, mark.of)});
+  }
+  return views;
+}
+
+/// From the centre of mass to the farthest point of the body, m.
+double reach(const Snapshot& snapshot, const BodyView& body) {
+  double farthest = 0;
+  for (std::uint32_t s = 0; s < body.shape_count; ++s) {
+    const ShapeView& shape = snapshot.shapes[body.first_shape + s];
+    for (std::uint32_t p = 0; p < shape.point_count; ++p) {
+      const Vec2d point = to_world(body.pose, snapshot.points[shape.first_point + p]);
+      farthest = std::max(farthest, distance(point, body.state.center) + shape.radius);
+    }
+  }
+  return farthest;
+}
+
+std::vector<LabelView> labels(const Picture& picture, const Snapshot& snapshot) {
+  std::vector<LabelView> views;
+  for (const Label& label : picture.labels) {
+    const BodyView* body = find_body(snapshot, label.body);
+    if (body != nullptr) views.push_back({body->state.center, reach(snapshot, *body), label.text});
+  }
+  return views;
+}
+
+std::vector<CaptionView> captions(const Scenario& scenario, std::int64_t tick) {
+  const int rate = scenario.scene.rate;
+  std::vector<CaptionView> views;
+  for (const Caption& caption : scenario.picture.captions) {
+    const bool shows = tick_at(caption.from, rate) <= tick && tick < tick_at(caption.to, rate);
+    if (shows) views.push_back({caption.text, caption.at});
+  }
+  return views;
+}
+
+}  // namespace
+
+Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot snapshot, std::int64_t index) {
+  Frame frame;
+  frame.index = index;
+  frame.view = camera_view(scenario, recorder, snapshot);
+  frame.trails = recorder.trails(snapshot);
+  frame.arrows = arrows(scenario.picture, snapshot);
+  frame.labels = labels(scenario.picture, snapshot);
+  frame.captions = captions(scenario, snapshot.tick);
+  frame.plots = recorder.plots();
+  frame.snapshot = std::move(snapshot);
+  return frame;
+}
+
+}  // namespace proofreel

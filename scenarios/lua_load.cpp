@@ -1,0 +1,120 @@
+// Loading: from the file's text to a scenario that can run.
+
+#include <algorithm>
+
+#include "scenarios/effects.h"
+#include "scenarios/lua_bodies.h"
+#include "scenarios/lua_script.h"
+#include "scenarios/lua_shapes.h"
+#include "scenarios/lua_values.h"
+#include "scenarios/lua_words.h"
+#include "scenarios/source.h"
+#include "scenarios/suggest.h"
+#include "scenarios/timeline.h"
+
+namespace proofreel {
+namespace {
+
+std::vector<std::string> global_names(lua_State* state) {
+  std::vector<std::string> names;
+  lua_pushglobaltable(state);
+  for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) names.emplace_back(lua_tostring(state, -2));
+  lua_pop(state, 1);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool is_overridden(const Model& model, const std::string& path) {
+  return std::any_of(model.overrides.begin(), model.overrides.end(), [&](const auto& o) { return o.path == path; });
+}
+
+}  // namespace
+
+LuaScript::LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides)
+    : model_(scenario), sandbox_(scenario.path, &model_) {
+  model_.overrides = std::move(overrides);
+}
+
+void LuaScript::open(lua_State* state) {
+  open_base(state);
+  open_values(state);
+  open_math(state);
+  open_strings(state);
+  open_tables(state);
+  open_pairs(state);
+  open_scenario(state);
+  open_shapes(state);
+  open_bodies(state);
+  open_body_methods(state);
+  open_joints(state);
+  open_time(state);
+  open_picture(state);
+  open_measures(state);
+  open_unbuilt(state);
+  sandbox_.set_known_names(global_names(state));
+}
+
+void LuaScript::load(const std::string& text) {
+  sandbox_.turn([&](lua_State* state) { open(state); });
+  sandbox_.turn([&](lua_State* state) {
+    sandbox_.compile(model_.scenario.path, text);
+    lua_call(state, 0, 0);
+    finish_loading();
+  });
+}
+
+void LuaScript::finish_loading() {
+  Scenario& scenario = model_.scenario;
+  if (!model_.described) throw Problem("the file never calls scenario{...}; it must, once");
+  link_references();
+  check_expectations();
+  scenario.scene = model_.scene_so_far();
+  if (scenario.title.empty()) scenario.title = scenario.id;
+  if (!scenario.scene.effects) return;
+  for (std::string& warning : omission_warnings(called_for_by(scenario.scene), *scenario.scene.effects)) {
+    scenario.warnings.push_back(std::move(warning));
+  }
+}
+
+void LuaScript::link_references() {
+  auto& measures = model_.scenario.measures;
+  reference_of_.assign(measures.size(), -1);
+  for (std::size_t r = 0; r < model_.references.size(); ++r) {
+    const std::string& name = model_.references[r].measure;
+    const auto found = std::find_if(measures.begin(), measures.end(), [&](const Measure& m) { return m.name == name; });
+    if (found == measures.end()) {
+      std::vector<std::string> names;
+      for (const Measure& measure : measures) names.push_back(measure.name);
+      throw Problem("reference " + quote(name) + ": there is no such measure, " + did_you_mean(name, names));
+    }
+    found->has_reference = true;
+    reference_of_[static_cast<std::size_t>(found - measures.begin())] = static_cast<int>(r);
+  }
+}
+
+/// An expectation after the end would hold unseen. A duration set from the command line may cut some off.
+void LuaScript::check_expectations() {
+  Scenario& scenario = model_.scenario;
+  for (const Expectation& expectation : scenario.expectations) {
+    if (expectation.when != Expectation::When::at) continue;
+    if (tick_at(expectation.at, scenario.scene.rate) <= scenario.ticks()) continue;
+    const std::string late = "expect " + quote(expectation.text) + " comes after the end of the scenario";
+    if (!is_overridden(model_, "duration")) throw Problem(late);
+    scenario.warnings.push_back(late + ": it is not looked at");
+  }
+}
+
+std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides) {
+  std::vector<ParsedOverride> parsed;
+  for (const Override& override : overrides) parsed.push_back(parse_override(override));
+  const std::string text = read_source(path);
+  auto scenario = std::make_unique<Scenario>();
+  scenario->path = path;
+  scenario->id = id_of(path);
+  auto script = std::make_unique<LuaScript>(*scenario, std::move(parsed));
+  script->load(text);
+  scenario->script = std::move(script);
+  return scenario;
+}
+
+}  // namespace proofreel

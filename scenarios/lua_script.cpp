@@ -1,0 +1,194 @@
+#include "scenarios/lua_script.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "scenarios/lua_values.h"
+#include "scenarios/suggest.h"
+#include "scenarios/timeline.h"
+
+namespace proofreel {
+namespace {
+
+bool matches(const std::optional<BodyId>& wanted, BodyId body) { return !wanted || *wanted == body; }
+
+void push_event(lua_State* state, const ContactEvent& event) {
+  lua_createtable(state, 0, 5);
+  push_body(state, event.a);
+  lua_setfield(state, -2, "a");
+  push_body(state, event.b);
+  lua_setfield(state, -2, "b");
+  push_vector(state, event.point);
+  lua_setfield(state, -2, "point");
+  push_vector(state, event.normal);
+  lua_setfield(state, -2, "normal");
+  lua_pushnumber(state, event.impulse);
+  lua_setfield(state, -2, "impulse");
+}
+
+ContactEvent turned_round(const ContactEvent& event) {
+  ContactEvent turned = event;
+  turned.a = event.b;
+  turned.b = event.a;
+  turned.normal = -event.normal;
+  return turned;
+}
+
+/// Where a function is written, as Lua marks its own messages.
+std::string place_of(lua_State* state, int function) {
+  lua_Debug record{};
+  push_function(state, function);
+  if (lua_getinfo(state, ">S", &record) == 0) return {};
+  return std::string(record.short_src) + ":" + std::to_string(record.linedefined) + ": ";
+}
+
+[[noreturn]] void refuse_result(lua_State* state, int function, const std::string& wanted) {
+  throw Problem(place_of(state, function) + "must return " + wanted + ", got " + described(state, -1));
+}
+
+/// " (in measure "x", at 0.5 s)"
+std::string context(const std::string& what, double seconds) {
+  char time[48];
+  std::snprintf(time, sizeof time, "at %.6g s)", seconds);
+  return " (in " + what + ", " + time;
+}
+
+}  // namespace
+
+void LuaScript::turn(Phase phase, const std::function<std::string()>& what,
+                     const std::function<void(lua_State*)>& body) {
+  model_.phase = phase;
+  try {
+    sandbox_.turn(body);
+  } catch (const ScenarioError& error) {
+    throw ScenarioError(error.what() + context(what(), model_.time()));
+  }
+}
+
+void LuaScript::bind(Simulation* simulation) {
+  model_.simulation = simulation;
+  if (simulation == nullptr) return;
+  // Ids are positions in the scene, so what the file made and removed again is still in it.
+  for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+    const auto id = static_cast<JointId>(i);
+    if (model_.joints[i].removed && simulation->exists(id)) simulation->apply(RemoveJoint{id});
+  }
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const auto id = static_cast<BodyId>(i + 1);
+    if (model_.bodies[i].removed && simulation->exists(id)) simulation->apply(RemoveBody{id});
+  }
+}
+
+void LuaScript::before_step() {
+  const auto due = [&] { return !model_.timers.empty() && model_.timers.begin()->first.first <= model_.tick(); };
+  if (!due()) return;
+  turn(
+      Phase::acting, [] { return "a callback of at or every"; },
+      [&](lua_State* state) {
+        while (due()) fire_due(state);
+      });
+}
+
+/// Runs the first timer. An `every` goes back into the queue under its old number: callbacks of one tick run in order
+/// of creation.
+void LuaScript::fire_due(lua_State* state) {
+  constexpr std::uint64_t cost = 100;
+  sandbox_.charge(cost);
+  auto node = model_.timers.extract(model_.timers.begin());
+  Timer& timer = node.mapped();
+  const int function = timer.function;
+  const bool again = timer.period > 0;
+  if (again) {
+    ++timer.fired;
+    const double seconds = static_cast<double>(timer.fired) * timer.period;
+    node.key().first = timer.start + tick_at(seconds, model_.scenario.scene.rate);
+    model_.timers.insert(std::move(node));
+  }
+  push_function(state, function);
+  if (!again) luaL_unref(state, LUA_REGISTRYINDEX, function);
+  lua_call(state, 0, 0);
+}
+
+void LuaScript::after_step() {
+  if (model_.contact_handlers.empty() || model_.simulation->contact_events().empty()) return;
+  const std::vector<ContactEvent> events = model_.simulation->contact_events();  // handlers change the simulation
+  turn(
+      Phase::acting, [] { return "a callback of on_contact"; },
+      [&](lua_State* state) {
+        for (const ContactEvent& event : events) {
+          // By index, because handlers may make handlers; those hear of the next tick's contacts.
+          const std::size_t count = model_.contact_handlers.size();
+          for (std::size_t i = 0; i < count; ++i) tell(state, model_.contact_handlers[i], event);
+        }
+      });
+}
+
+/// Calls the handler if the event is one of its; bodies come in the order the handler names them.
+void LuaScript::tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event) {
+  const bool straight = matches(handler.a, event.a) && matches(handler.b, event.b);
+  const bool swapped = matches(handler.a, event.b) && matches(handler.b, event.a);
+  if (!straight && !swapped) return;
+  if (!model_.exists(event.a) || !model_.exists(event.b)) return;  // an earlier handler removed it
+  push_function(state, handler.function);
+  push_event(state, straight ? event : turned_round(event));
+  lua_call(state, 1, 0);
+}
+
+double LuaScript::number_from(int function, const std::function<std::string()>& what, std::optional<double> argument) {
+  double number = 0;
+  turn(Phase::looking, what, [&](lua_State* state) {
+    push_function(state, function);
+    if (argument) lua_pushnumber(state, *argument);
+    lua_call(state, argument ? 1 : 0, 1);
+    if (lua_type(state, -1) != LUA_TNUMBER) refuse_result(state, function, "a number");
+    number = lua_tonumber(state, -1);
+    if (!std::isfinite(number)) refuse_result(state, function, "a finite number");
+  });
+  return number;
+}
+
+double LuaScript::measure(int index) {
+  const auto i = static_cast<std::size_t>(index);
+  return number_from(
+      model_.measures[i], [&] { return "measure " + quote(model_.scenario.measures[i].name); }, std::nullopt);
+}
+
+std::optional<double> LuaScript::reference(int index, std::int64_t tick) {
+  const int found = reference_of_[static_cast<std::size_t>(index)];
+  if (found < 0) return std::nullopt;
+  const Reference& reference = model_.references[static_cast<std::size_t>(found)];
+  const int rate = model_.scenario.scene.rate;
+  if (reference.function) {
+    if (!is_sample_tick(model_.scenario, tick)) return std::nullopt;
+    const double seconds = static_cast<double>(tick) / rate;
+    return number_from(
+        *reference.function, [&] { return "reference " + quote(reference.measure); }, seconds);
+  }
+  for (const auto& [seconds, value] : reference.points) {
+    if (tick_at(seconds, rate) == tick) return value;
+  }
+  return std::nullopt;
+}
+
+bool LuaScript::expectation(int index) {
+  const auto i = static_cast<std::size_t>(index);
+  const auto what = [&] { return "expect " + quote(model_.scenario.expectations[i].text); };
+  bool held = false;
+  turn(Phase::looking, what, [&](lua_State* state) {
+    push_function(state, model_.expectations[i]);
+    lua_call(state, 0, 1);
+    if (lua_type(state, -1) != LUA_TBOOLEAN) refuse_result(state, model_.expectations[i], "true or false");
+    held = lua_toboolean(state, -1) != 0;
+  });
+  return held;
+}
+
+double LuaScript::plot_value(int plot, int curve) {
+  const auto p = static_cast<std::size_t>(plot);
+  const auto c = static_cast<std::size_t>(curve);
+  return number_from(
+      model_.plots[p][c], [&] { return "plot curve " + quote(model_.scenario.picture.plots[p].curves[c]); },
+      std::nullopt);
+}
+
+}  // namespace proofreel

@@ -1,0 +1,48 @@
+#pragma once
+
+/// The script of a scenario in Lua.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenarios/lua_model.h"
+#include "scenarios/lua_sandbox.h"
+#include "scenarios/scenario.h"
+
+namespace proofreel {
+
+class LuaScript : public Script {
+ public:
+  /// The scenario owns the script and must stay where it is.
+  LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides);
+
+  /// Runs the file's text and fills the scenario. Throws ScenarioError.
+  void load(const std::string& text);
+
+  void bind(Simulation* simulation) override;
+  void before_step() override;
+  void after_step() override;
+  double measure(int index) override;
+  std::optional<double> reference(int index, std::int64_t tick) override;
+  bool expectation(int index) override;
+  double plot_value(int plot, int curve) override;
+
+ private:
+  /// A turn of the script in which it may do what `phase` says; errors tell the time and `what` ran.
+  void turn(Phase phase, const std::function<std::string()>& what, const std::function<void(lua_State*)>& body);
+  /// What the function returns, which must be a finite number.
+  double number_from(int function, const std::function<std::string()>& what, std::optional<double> argument);
+  void open(lua_State* state);
+  void finish_loading();
+  void link_references();
+  void check_expectations();
+  void fire_due(lua_State* state);
+  void tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event);
+
+  Model model_;
+  Sandbox sandbox_;
+  std::vector<int> reference_of_;  ///< of measure i: index into Model::references, or -1
+};
+
+}  // namespace proofreel

@@ -1,0 +1,40 @@
+#pragma once
+
+/// Shapes as values of the language.
+
+#include <lua.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene.h"
+#include "scenarios/lua_fields.h"
+#include "scenarios/lua_model.h"
+
+namespace proofreel {
+
+/// Geometry and the coefficients the shape has of its own. What is wrong with the geometry is said when a body takes
+/// the shape, since only then there is a name to say it of.
+struct ShapeValue {
+  ShapeDef def;
+  std::optional<double> density;
+  std::optional<FrictionDef> friction;
+  std::optional<double> restitution;
+  std::string problem;
+
+  /// With the coefficients of its own or else of the body.
+  ShapeDef on_body(const Material& material) const;
+};
+
+/// The words circle, box, polygon, hull, regular, capsule, segment.
+void open_shapes(lua_State* state);
+
+/// The shape at `index`, or nothing.
+const ShapeValue* to_shape(lua_State* state, int index);
+
+/// The key `friction`: a number, or {static=, kinetic=}.
+std::optional<FrictionDef> read_friction(const Fields& fields);
+/// The key `restitution`, between 0 and 1.
+std::optional<double> read_restitution(const Fields& fields);
+
+}  // namespace proofreel

@@ -1,0 +1,155 @@
+#include <cmath>
+
+#include "scenarios/lua_bodies.h"
+#include "scenarios/lua_values.h"
+#include "scenarios/lua_words.h"
+#include "scenarios/timeline.h"
+
+namespace proofreel {
+namespace {
+
+/// Scene times are rounded to ticks, so the rate must be known.
+void must_be_described(const Model& model, const std::string& what) {
+  if (!model.described) throw Problem(what + " needs the scene's rate: call scenario{...} first");
+}
+
+double seconds_argument(lua_State* state, const std::string& what) {
+  if (lua_type(state, 1) != LUA_TNUMBER)
+    throw Problem(what + " must be a number of seconds, got " + described(state, 1));
+  const double seconds = lua_tonumber(state, 1);
+  if (!std::isfinite(seconds) || seconds < 0) {
+    throw Problem(what + " must be a number of seconds that is not negative, got " + described(state, 1));
+  }
+  return seconds;
+}
+
+int at(lua_State* state) {
+  Model& model = model_of(state);
+  must_be_described(model, "at");
+  model.must_act("at");
+  charge_for_making(state);
+  const double seconds = seconds_argument(state, "at(t, fn): t");
+  const std::int64_t tick = tick_at(seconds, model.scenario.scene.rate);
+  if (tick < model.tick()) throw Problem("at(" + described(state, 1) + ", fn): that time has passed already");
+  const int function = keep_function(state, 2, "at(t, fn): fn");
+  model.timers.insert({{tick, model.timers_made++}, {model.tick(), 0, 0, function}});
+  return 0;
+}
+
+int every(lua_State* state) {
+  Model& model = model_of(state);
+  must_be_described(model, "every");
+  model.must_act("every");
+  charge_for_making(state);
+  const double period = seconds_argument(state, "every(dt, fn): dt");
+  const int rate = model.scenario.scene.rate;
+  if (period * rate < 1 - 1e-9) {
+    throw Problem("every(" + described(state, 1) + ", fn): shorter than a tick, which takes 1/" + std::to_string(rate) +
+                  " s");
+  }
+  const int function = keep_function(state, 2, "every(dt, fn): fn");
+  const std::int64_t first = model.tick() + tick_at(period, rate);
+  model.timers.insert({{first, model.timers_made++}, {model.tick(), period, 1, function}});
+  return 0;
+}
+
+std::optional<BodyId> body_or_any(lua_State* state, int index) {
+  if (lua_isnil(state, index)) return std::nullopt;
+  return existing_body(state, index, "on_contact(a, b, fn): a and b");
+}
+
+int on_contact(lua_State* state) {
+  Model& model = model_of(state);
+  model.must_act("on_contact");
+  charge_for_making(state);
+  if (lua_gettop(state) != 3) throw Problem("on_contact needs two bodies (or nil for any) and a function");
+  ContactHandler handler{body_or_any(state, 1), body_or_any(state, 2), 0};
+  if (handler.a && handler.a == handler.b) throw Problem("on_contact: a body never touches itself");
+  handler.function = keep_function(state, 3, "on_contact(a, b, fn): fn");
+  model.contact_handlers.push_back(handler);
+  return 0;
+}
+
+int time(lua_State* state) {
+  lua_pushnumber(state, model_of(state).time());
+  return 1;
+}
+
+int energy(lua_State* state) {
+  const Energy energy = observed(state).energy();
+  lua_createtable(state, 0, 3);
+  lua_pushnumber(state, energy.kinetic);
+  lua_setfield(state, -2, "kinetic");
+  lua_pushnumber(state, energy.potential);
+  lua_setfield(state, -2, "potential");
+  lua_pushnumber(state, energy.total());
+  lua_setfield(state, -2, "total");
+  return 1;
+}
+
+/// A touching point as seen from `body`: the normal leads away from it.
+void push_contact(lua_State* state, const ContactView& contact, const ContactPoint& point, BodyId body) {
+  const bool is_a = contact.a == body;
+  lua_createtable(state, 0, 5);
+  push_body(state, is_a ? contact.b : contact.a);
+  lua_setfield(state, -2, "other");
+  push_vector(state, point.point);
+  lua_setfield(state, -2, "point");
+  push_vector(state, is_a ? contact.normal : -contact.normal);
+  lua_setfield(state, -2, "normal");
+  lua_pushnumber(state, point.normal_impulse);
+  lua_setfield(state, -2, "impulse");
+  lua_pushnumber(state, point.separation);
+  lua_setfield(state, -2, "separation");
+}
+
+int contacts(lua_State* state) {
+  const BodyId body = existing_body(state, 1, "contacts(b): b");
+  lua_settop(state, 1);
+  lua_newtable(state);
+  lua_Integer count = 0;
+  const std::vector<ContactView> all = observed(state).contacts();
+  sandbox_of(state).charge(all.size());
+  for (const ContactView& contact : all) {
+    if (contact.a != body && contact.b != body) continue;
+    for (int i = 0; i < contact.point_count; ++i) {
+      if (!contact.points[i].touching()) continue;
+      push_contact(state, contact, contact.points[i], body);
+      lua_rawseti(state, 2, ++count);
+    }
+  }
+  return 1;
+}
+
+constexpr const char* unbuilt_words[] = {"rope",  "prismatic", "weld",     "wheel",     "gear",   "pulley",   "drag_to",
+                                         "motor", "drag",      "wind",     "attractor", "nbody",  "buoyancy", "rocket",
+                                         "field", "on_break",  "on_sleep", "ghost",     "freeze", "section"};
+
+int refuse_unbuilt(lua_State* state) { throw Problem(not_built(lua_tostring(state, lua_upvalueindex(1)))); }
+
+void set_unbuilt(lua_State* state, const char* word) {
+  lua_pushstring(state, word);
+  lua_pushcclosure(state, guarded<refuse_unbuilt>, 1);
+  lua_setfield(state, -2, word);
+}
+
+}  // namespace
+
+void open_time(lua_State* state) {
+  lua_pushglobaltable(state);
+  set_word<at>(state, "at");
+  set_word<every>(state, "every");
+  set_word<on_contact>(state, "on_contact");
+  set_word<time>(state, "time");
+  set_word<energy>(state, "energy");
+  set_word<contacts>(state, "contacts");
+  lua_pop(state, 1);
+}
+
+void open_unbuilt(lua_State* state) {
+  lua_pushglobaltable(state);
+  for (const char* word : unbuilt_words) set_unbuilt(state, word);
+  lua_pop(state, 1);
+}
+
+}  // namespace proofreel

@@ -1,0 +1,25 @@
+#pragma once
+
+/// Every file of words puts them into the globals; call each once per state.
+
+#include <lua.hpp>
+
+namespace proofreel {
+
+/// The globals that scripts see, empty at first, with what the sandbox offers of Lua's own.
+void open_base(lua_State* state);
+void open_math(lua_State* state);
+void open_strings(lua_State* state);
+void open_tables(lua_State* state);
+/// `pairs` in sorted key order.
+void open_pairs(lua_State* state);
+
+void open_scenario(lua_State* state);
+void open_joints(lua_State* state);
+void open_time(lua_State* state);
+void open_picture(lua_State* state);
+void open_measures(lua_State* state);
+/// Words of the language that are not built: they say so.
+void open_unbuilt(lua_State* state);
+
+}  // namespace proofreel

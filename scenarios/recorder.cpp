@@ -1,0 +1,89 @@
+#include "scenarios/recorder.h"
+
+#include <algorithm>
+
+#include "scenarios/timeline.h"
+
+namespace proofreel {
+namespace {
+
+constexpr std::int64_t most_trail_points = 2048;  // finer would not show
+
+}  // namespace
+
+const BodyView* find_body(const Snapshot& snapshot, BodyId body) {
+  const auto found = std::lower_bound(snapshot.bodies.begin(), snapshot.bodies.end(), body,
+                                      [](const BodyView& view, BodyId id) { return view.id < id; });
+  return found != snapshot.bodies.end() && found->id == body ? &*found : nullptr;
+}
+
+void Recorder::record(const Simulation& simulation) {
+  const Picture& picture = scenario_.picture;
+  trails_.resize(picture.trails.size());
+  for (std::size_t i = 0; i < trails_.size(); ++i) record_trail(i, simulation);
+  followed_.resize(picture.camera.size());
+  for (std::size_t i = 0; i < followed_.size(); ++i) {
+    const auto& body = picture.camera[i].follow;
+    if (body && simulation.exists(*body)) followed_[i] = simulation.body(*body).center;
+  }
+}
+
+void Recorder::record_trail(std::size_t index, const Simulation& simulation) {
+  const TrailMark& mark = scenario_.picture.trails[index];
+  Trail& trail = trails_[index];
+  const std::int64_t tick = simulation.tick();
+  const std::int64_t window = tick_at(mark.seconds, scenario_.scene.rate);
+  trail.stride = std::max<std::int64_t>(1, window / most_trail_points);
+  if (tick % trail.stride == 0 && simulation.exists(mark.body)) {
+    trail.points.emplace_back(tick, simulation.body(mark.body).center);
+  }
+  while (!trail.points.empty() && trail.points.front().first < tick - window) trail.points.pop_front();
+}
+
+void Recorder::sample_plots(std::int64_t tick) {
+  const std::vector<PlotMark>& marks = scenario_.picture.plots;
+  plots_.resize(marks.size());
+  const double time = static_cast<double>(tick) / scenario_.scene.rate;
+  for (std::size_t p = 0; p < marks.size(); ++p) {
+    PlotSample sample{time, {}};
+    for (std::size_t c = 0; c < marks[p].curves.size(); ++c) {
+      sample.values.push_back(scenario_.script->plot_value(static_cast<int>(p), static_cast<int>(c)));
+    }
+    plots_[p].push_back(std::move(sample));
+    while (plots_[p].front().time < time - marks[p].seconds) plots_[p].pop_front();
+  }
+}
+
+std::vector<TrailView> Recorder::trails(const Snapshot& snapshot) const {
+  std::vector<TrailView> views;
+  for (std::size_t i = 0; i < trails_.size(); ++i) {
+    TrailView view{scenario_.picture.trails[i].body, {}};
+    for (const auto& [tick, point] : trails_[i].points) view.points.push_back(point);
+    const BodyView* body = find_body(snapshot, view.body);
+    const bool ends_elsewhere = body != nullptr && (view.points.empty() || !(view.points.back() == body->state.center));
+    if (ends_elsewhere) view.points.push_back(body->state.center);
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+std::vector<PlotView> Recorder::plots() const {
+  std::vector<PlotView> views;
+  for (std::size_t p = 0; p < plots_.size(); ++p) {
+    const PlotMark& mark = scenario_.picture.plots[p];
+    PlotView view{mark.title, mark.curves, mark.seconds, mark.at, {}, {}};
+    view.values.resize(mark.curves.size());
+    for (const PlotSample& sample : plots_[p]) {
+      view.times.push_back(sample.time);
+      for (std::size_t c = 0; c < sample.values.size(); ++c) view.values[c].push_back(sample.values[c]);
+    }
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+std::optional<Vec2d> Recorder::followed(std::size_t move) const {
+  return move < followed_.size() ? followed_[move] : std::nullopt;
+}
+
+}  // namespace proofreel

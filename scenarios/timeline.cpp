@@ -1,0 +1,109 @@
+#include "scenarios/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "scenarios/runner.h"
+
+namespace proofreel {
+namespace {
+
+std::string shown(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
+[[noreturn]] void refuse_rate(int rate, int fps) {
+  const int below = rate / fps * fps;
+  const std::string works =
+      below > 0 ? std::to_string(below) + " or " + std::to_string(below + fps) : std::to_string(fps);
+  throw ScenarioError("a film needs a whole number of ticks per frame: rate " + std::to_string(rate) + " at " +
+                      std::to_string(fps) + " fps does not give one; the nearest rates that work are " + works);
+}
+
+bool is_whole_frame(double ticks) {
+  return ticks > 0.5 && std::abs(ticks - std::round(ticks)) < 1e-9 * std::round(ticks);
+}
+
+/// The next higher rate at which this slow motion has whole frames, as a hint; empty when it is far away.
+std::string rate_hint(std::int64_t ticks, double factor, int fps) {
+  constexpr std::int64_t far = 1000;
+  for (std::int64_t more = ticks + 1; more < ticks + far; ++more) {
+    if (is_whole_frame(static_cast<double>(more) * factor)) return ", or rate = " + std::to_string(more * fps);
+  }
+  return {};
+}
+
+/// Ticks per frame during `slow`, where a frame otherwise takes `ticks` of them.
+std::int64_t slowed(std::int64_t ticks, const SlowMotion& slow, int fps) {
+  const auto usual = static_cast<double>(ticks);
+  const double wanted = usual * slow.factor;
+  if (is_whole_frame(wanted)) return std::llround(wanted);
+  const double lower = std::max(1.0, std::floor(wanted));
+  const double upper = std::min(usual, lower + 1);
+  const std::string factors = lower < upper ? shown(lower / usual) + " or " + shown(upper / usual) : shown(1);
+  throw ScenarioError("slow{factor=" + shown(slow.factor) + "} would show a frame every " + shown(wanted) +
+                      " ticks, which must be a whole number; what works: factor = " + factors +
+                      rate_hint(ticks, slow.factor, fps));
+}
+
+struct SlowStretch {
+  std::int64_t from;
+  std::int64_t to;
+  std::int64_t ticks_per_frame;
+};
+
+std::vector<SlowStretch> slow_stretches(const Scenario& scenario, std::int64_t ticks_per_frame) {
+  const int rate = scenario.scene.rate;
+  std::vector<SlowStretch> stretches;
+  for (const SlowMotion& slow : scenario.picture.slow) {
+    stretches.push_back(
+        {tick_at(slow.from, rate), tick_at(slow.to, rate), slowed(ticks_per_frame, slow, scenario.picture.fps)});
+  }
+  return stretches;
+}
+
+std::int64_t ticks_to_next(std::int64_t tick, std::int64_t usual, const std::vector<SlowStretch>& stretches) {
+  for (const SlowStretch& slow : stretches) {
+    if (slow.from <= tick && tick < slow.to) return slow.ticks_per_frame;
+  }
+  return usual;
+}
+
+}  // namespace
+
+std::int64_t tick_at(double seconds, int rate) {
+  // Far beyond every run all times are alike; the bound keeps the conversion defined.
+  return std::llround(std::min(seconds * rate, 1e15));
+}
+
+std::int64_t Scenario::ticks() const { return tick_at(duration, scene.rate); }
+
+bool is_sample_tick(const Scenario& scenario, std::int64_t tick) {
+  if (tick == scenario.ticks()) return true;
+  const std::int64_t rate = scenario.scene.rate;
+  const std::int64_t fps = scenario.picture.fps;
+  const std::int64_t frame = (2 * tick * fps + rate) / (2 * rate);
+  for (std::int64_t i = std::max<std::int64_t>(0, frame - 1); i <= frame + 1; ++i) {
+    if ((2 * i * rate + fps) / (2 * fps) == tick) return true;
+  }
+  return false;
+}
+
+std::vector<std::int64_t> film_timeline(const Scenario& scenario) {
+  const int rate = scenario.scene.rate;
+  const int fps = scenario.picture.fps;
+  if (rate % fps != 0) refuse_rate(rate, fps);
+  const std::int64_t usual = rate / fps;
+  const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
+  std::vector<std::int64_t> frames;
+  for (std::int64_t tick = 0; tick < scenario.ticks(); tick += ticks_to_next(tick, usual, stretches)) {
+    frames.push_back(tick);
+  }
+  return frames;
+}
+
+}  // namespace proofreel

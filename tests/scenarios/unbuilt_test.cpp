@@ -1,0 +1,60 @@
+#include <catch2/catch.hpp>
+
+#include "scene_text.h"
+
+using namespace proofreel;
+using Catch::Contains;
+using Catch::StartsWith;
+
+namespace {
+
+void check_unbuilt(const std::string& line, const std::string& name) {
+  const std::string text = "scenario{}\nlocal b = body{shape=circle{radius=1}}\n" + line;
+  INFO(line);
+  CHECK_THAT(error_of(text), StartsWith("scene.lua: line 3: ") &&
+                                 Contains("\"" + name + "\" is part of the language but not built yet"));
+}
+
+}  // namespace
+
+TEST_CASE("Words that are not built are refused by name") {
+  const std::string word =
+      GENERATE("rope", "prismatic", "weld", "wheel", "gear", "pulley", "drag_to", "motor", "drag", "wind", "attractor",
+               "nbody", "buoyancy", "rocket", "field", "on_break", "on_sleep", "ghost", "freeze", "section");
+  check_unbuilt(word + "{b}", word);
+}
+
+TEST_CASE("Keys that are not built are refused by name") {
+  check_unbuilt("body{shape=circle{radius=1}, rolling_resistance=1}", "rolling_resistance");
+  check_unbuilt("body{shape=circle{radius=1}, surface_speed=1}", "surface_speed");
+  check_unbuilt("body{shape=circle{radius=1}, drag=1}", "drag");
+  check_unbuilt("b:set{surface_speed=1}", "surface_speed");
+  check_unbuilt("revolute{world, b, at={0,0}, limits={-1, 1}}", "limits");
+  check_unbuilt("revolute{world, b, at={0,0}, motor={speed=1}}", "motor");
+  check_unbuilt("revolute{world, b, at={0,0}, break_force=1}", "break_force");
+}
+
+TEST_CASE("Methods of bodies that are not built are refused by name") {
+  check_unbuilt("b:wake()", "wake");
+  check_unbuilt("b:asleep()", "asleep");
+}
+
+TEST_CASE("Ways of solving and effects that are not built are refused by name") {
+  const auto [key, name] = GENERATE(table<std::string, std::string>({
+      {"method={integrator='suzuki4'}", "suzuki4"},
+      {"method={integrator='rk4'}", "rk4"},
+      {"method={integrator='implicit_midpoint'}", "implicit_midpoint"},
+      {"method={integrator='gauss_legendre6'}", "gauss_legendre6"},
+      {"method={contact_solver='sequential_impulses'}", "sequential_impulses"},
+      {"method={contact_solver='ngs'}", "ngs"},
+      {"method={contact_solver='exact'}", "exact"},
+      {"method={contact_solver='event'}", "event"},
+      {"method={joint_solver='iterative'}", "iterative"},
+      {"effects={'gravity', 'drag'}", "drag"},
+      {"effects={'sleeping'}", "sleeping"},
+      {"effects={'motors'}", "motors"},
+  }));
+  CHECK_THAT(
+      error_of("scenario{" + key + "}"),
+      StartsWith("scene.lua: line 1: ") && Contains("\"" + name + "\" is part of the language but not built yet"));
+}
