@@ -102,4 +102,7 @@ struct Snapshot {
   Energy energy;
 };
 
+/// The body of this id, or null when the snapshot does not hold it.
+const BodyView* find_body(const Snapshot& snapshot, BodyId id);
+
 }  // namespace proofreel

@@ -21,6 +21,9 @@ struct Color {
   friend bool operator==(Color, Color) = default;
 };
 
+/// The colour `part` (0..1) of the way from `a` to `b`.
+Color mixed(Color a, Color b, double part);
+
 /// How a closed shape is painted: the outline lies inside the shape's edge, `outline_px` wide (0: none).
 struct Paint {
   Color fill;
@@ -51,6 +54,9 @@ class Canvas {
   void capsule(Vec2d a, Vec2d b, double radius, const Paint& paint);
   /// A stroke with round ends.
   void line(Vec2d a, Vec2d b, double width, Color color);
+  /// A polyline with round ends and joints, fading from one colour to the other along its length. Translucent strokes
+  /// have no beads at their joints.
+  void stroke(std::span<const Vec2d> points, double width, Color from, Color to);
   /// A shaft and a filled head that ends exactly in `to`; a short arrow shrinks its head, never its length.
   void arrow(Vec2d from, Vec2d to, double width, Color color);
   /// Axis-aligned, with corners rounded by `radius`.

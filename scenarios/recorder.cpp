@@ -11,12 +11,6 @@ constexpr std::int64_t most_trail_points = 2048;  // finer would not show
 
 }  // namespace
 
-const BodyView* find_body(const Snapshot& snapshot, BodyId body) {
-  const auto found = std::lower_bound(snapshot.bodies.begin(), snapshot.bodies.end(), body,
-                                      [](const BodyView& view, BodyId id) { return view.id < id; });
-  return found != snapshot.bodies.end() && found->id == body ? &*found : nullptr;
-}
-
 void Recorder::record(const Simulation& simulation) {
   const Picture& picture = scenario_.picture;
   trails_.resize(picture.trails.size());

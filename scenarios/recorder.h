@@ -48,7 +48,4 @@ class Recorder {
   std::vector<std::optional<Vec2d>> followed_;
 };
 
-/// The body's view, or null when it is not in the picture.
-const BodyView* find_body(const Snapshot& snapshot, BodyId body);
-
 }  // namespace proofreel

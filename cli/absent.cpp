@@ -1,0 +1,29 @@
+#include "cli/commands.h"
+#include "render/usage_error.h"
+
+namespace proofreel {
+namespace {
+
+Subcommand absent(CLI::App& program, const char* name, const char* why) {
+  CLI::App* command = program.add_subcommand(name, why)->allow_extras()->group("");
+  command->set_help_flag();
+  const auto refuse = [name, why]() -> int { throw UsageError(std::string("proofreel ").append(name).append(why)); };
+  return {command, refuse};
+}
+
+}  // namespace
+
+std::vector<Subcommand> absent_commands(CLI::App& program) {
+  std::vector<Subcommand> commands;
+  for (const char* name : {"diff", "study", "scorecard", "explain"}) {
+    commands.push_back(absent(program, name, " is not built yet."));
+  }
+#ifndef PROOFREEL_PICTURES
+  for (const char* name : {"render", "bless", "doctor"}) {
+    commands.push_back(absent(program, name, " is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF)."));
+  }
+#endif
+  return commands;
+}
+
+}  // namespace proofreel

@@ -1,0 +1,42 @@
+#pragma once
+
+/// What the subcommands' options have in common. The command line library enters here and nowhere else.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+
+namespace proofreel {
+
+/// A subcommand: the words it is called by, and what it does once they are read. `run` returns the exit status.
+struct Subcommand {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+/// The options every subcommand takes.
+struct CommonOptions {
+  std::vector<std::string> set;  ///< KEY=VALUE each
+  std::string gl;                ///< "osmesa", "egl" or empty
+  int threads = 0;               ///< 0: as many as the machine has cores
+  bool quiet = false;
+
+  /// Throws UsageError for a `--set` without `=`.
+  std::vector<Override> overrides() const;
+};
+
+/// A subcommand of `program` that takes the common options; `example` ends its help. `options` must outlive it.
+CLI::App* add_command(CLI::App& program, const char* name, const char* description, const char* example,
+                      CommonOptions& options);
+
+/// Options of the design that are not built: naming one is a UsageError that says so.
+void refuse_not_built(CLI::App& command, const std::vector<std::string>& options);
+
+/// Words for the user, on standard error, each on a line of its own.
+void say(const std::string& words);
+void say_all(const std::vector<std::string>& sentences);
+
+}  // namespace proofreel

@@ -1,0 +1,101 @@
+#include <memory>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/render_options.h"
+#include "cli/scenario_files.h"
+#include "scenarios/runner.h"
+
+namespace proofreel {
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string scenario;
+  std::string out;
+  std::string size;
+  std::string frames;
+  std::optional<std::string> layers;
+  std::string theme;
+  std::string quality = "final";
+  std::optional<std::string> preset;
+  std::optional<int> crf;
+  std::optional<int> fps;
+};
+
+void apply(const Options& options, Picture& picture) {
+  if (!options.size.empty()) picture.size = parse_size(options.size);
+  if (!options.theme.empty()) picture.theme = parse_theme(options.theme);
+  if (options.layers) picture.layers = parse_layers(*options.layers, picture.layers);
+  if (options.fps) picture.fps = *options.fps;
+}
+
+FrameRange range_of(const Options& options, std::int64_t film_length) {
+  FrameRange range{0, film_length - 1};
+  if (!options.frames.empty()) range = parse_frames(options.frames, film_length);
+  if (is_single_picture(options.out)) range.first = range.last;
+  return range;
+}
+
+FilmSettings settings_of(const Options& options, const Picture& picture, FrameRange range) {
+  const std::optional<Quality> quality = quality_named(options.quality);
+  if (!quality)
+    throw UsageError("There is no quality \"" + options.quality + "\"; there are draft, final and lossless.");
+  return {picture.size, picture.fps, *quality, options.preset, options.crf, options.common.threads, range.first};
+}
+
+int render(const Options& options) {
+  const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
+  if (!options.common.quiet) say_all(scenario->warnings);
+  apply(options, scenario->picture);
+  FilmRequest request{film_timeline(*scenario), {}, gl_backend_named(options.common.gl), options.common.threads};
+  request.range = range_of(options, static_cast<std::int64_t>(request.timeline.size()));
+  note_interrupts();
+  const std::unique_ptr<Sink> sink = make_sink(options.out, settings_of(options, scenario->picture, request.range));
+  ProgressLine line("frames", options.common.quiet);
+  const auto progress = [&line](std::int64_t done, std::int64_t total) {
+    stop_if_interrupted();
+    line.update(done, total);
+  };
+  render_film(*scenario, request, *sink, progress);
+  return 0;
+}
+
+void add_picture_options(CLI::App& app, Options& options) {
+  app.add_option("--size", options.size, "Pixels, such as 1920x1080")->type_name("WxH");
+  app.add_option("--fps", options.fps, "Frames per second; must divide the scenario's rate")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--frames", options.frames, "Only these film frames, both included: 0:59, or one: 30")
+      ->type_name("A:B");
+  app.add_option("--layers", options.layers, "bodies,contacts for exactly these; +bvh,-labels for changes")
+      ->type_name("LIST");
+  app.add_option("--theme", options.theme, "light, dark or print")->type_name("NAME");
+}
+
+void add_film_options(CLI::App& app, Options& options) {
+  app.add_option("--quality", options.quality, "draft, final or lossless")->capture_default_str()->type_name("NAME");
+  app.add_option("--preset", options.preset, "x264's preset, such as veryfast")->type_name("NAME");
+  app.add_option("--crf", options.crf, "x264's constant rate factor, 0 (best) to 51")->type_name("N");
+}
+
+}  // namespace
+
+Subcommand render_command(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app =
+      add_command(program, "render", "Film a scenario, or take a picture of it",
+                  "proofreel render hard/stack -o stack.mp4 --size 1920x1080 --layers +contacts", options->common);
+  app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as hard/stack")->required();
+  app->add_option("-o,--output", options->out,
+                  "NAME.png (one picture), NAME%04d.png (one per frame), .mp4, .mkv, .hash, or - for raw RGBA")
+      ->required()
+      ->type_name("OUT");
+  add_picture_options(*app, *options);
+  add_film_options(*app, *options);
+  return {app, [options] { return render(*options); }};
+}
+
+}  // namespace proofreel

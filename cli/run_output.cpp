@@ -1,0 +1,114 @@
+#include "cli/run_output.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+#include "golden/hex.h"
+
+namespace proofreel {
+namespace {
+
+/// The shortest text that reads back as the same number, in every locale.
+std::string exact(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9g", value);
+  return text.data();
+}
+
+/// As RFC 4180 wants it.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out.append(c == '"' ? 2 : 1, c);
+  return out.append("\"");
+}
+
+std::string line_of(const MeasureResult& measure) {
+  std::string text("  measure ");
+  text.append(measure.name).append(": final ").append(rounded(measure.final)).append(", min ");
+  text.append(rounded(measure.min)).append(", max ").append(rounded(measure.max));
+  if (measure.max_error) text.append(", largest error ").append(rounded(*measure.max_error));
+  return text.append("\n");
+}
+
+std::string line_of(const ExpectationResult& expectation) {
+  std::string text(expectation.held ? "  holds: " : "  FAILS: ");
+  text.append(expectation.text);
+  if (!expectation.held) text.append(" (first at tick ").append(std::to_string(expectation.tick)).append(")");
+  return text.append("\n");
+}
+
+Json json_of(const MeasureResult& measure) {
+  Json json{{"final", measure.final}, {"min", measure.min}, {"max", measure.max}, {"max_error", nullptr}};
+  if (measure.max_error) json["max_error"] = *measure.max_error;
+  return json;
+}
+
+}  // namespace
+
+std::string text_of(const RunReport& report) {
+  std::string text(report.scenario);
+  text.append(": ").append(std::to_string(report.ticks)).append(" ticks, trajectory hash ");
+  text.append(hex(report.trajectory_hash)).append(", state hash ").append(hex(report.state_hash)).append("\n");
+  for (const MeasureResult& measure : report.measures) text += line_of(measure);
+  for (const ExpectationResult& expectation : report.expectations) text += line_of(expectation);
+  text.append("  energy: ").append(rounded(report.initial_energy.total())).append(" J at first, ");
+  text.append(rounded(report.final_energy.total())).append(" J at the end, largest drift ");
+  return text.append(rounded(report.max_energy_drift)).append(" J\n");
+}
+
+Json json_of(const std::vector<ExpectationResult>& expectations) {
+  Json list = Json::array();
+  for (const ExpectationResult& e : expectations) {
+    list.push_back({{"text", e.text}, {"held", e.held}, {"tick", e.tick}});
+  }
+  return list;
+}
+
+Json json_of(const RunReport& report, const std::vector<std::string>& warnings, double wall_s) {
+  Json measures = Json::object();
+  for (const MeasureResult& measure : report.measures) measures[measure.name] = json_of(measure);
+  return {{"scenario", report.scenario},
+          {"ticks", report.ticks},
+          {"trajectory_hash", hex(report.trajectory_hash)},
+          {"state_hash", hex(report.state_hash)},
+          {"measures", measures},
+          {"expectations", json_of(report.expectations)},
+          {"energy",
+           {{"initial", report.initial_energy.total()},
+            {"final", report.final_energy.total()},
+            {"max_drift", report.max_energy_drift}}},
+          {"wall_s", wall_s},
+          {"warnings", warnings}};
+}
+
+std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples) {
+  std::string text("t");
+  for (const Measure& measure : scenario.measures) text.append(",").append(quoted(measure.name));
+  text += "\n";
+  for (const Sample& sample : samples) {
+    text += exact(static_cast<double>(sample.tick) / scenario.scene.rate);
+    for (const double value : sample.values) text.append(",").append(exact(value));
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> failures_of(const std::string& scenario, const std::vector<ExpectationResult>& expectations) {
+  std::vector<std::string> sentences;
+  for (const ExpectationResult& e : expectations) {
+    if (e.held) continue;
+    std::string sentence(scenario);
+    sentence.append(": does not hold at tick ").append(std::to_string(e.tick)).append(": ").append(e.text);
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+}  // namespace proofreel

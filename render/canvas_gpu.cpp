@@ -1,0 +1,141 @@
+#include "render/canvas_gpu.h"
+
+#include <string>
+
+namespace proofreel {
+namespace {
+
+[[noreturn]] void refuse_shader(const std::string& log) {
+  throw EnvironmentError("OpenGL does not accept a shader of this program; install another Mesa version. It says: " +
+                         log);
+}
+
+GLuint compile(const Gl& gl, GLenum stage, const std::string& source) {
+  const GLuint shader = gl.CreateShader(stage);
+  const char* text = source.c_str();
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  GLint good = 0;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good == 0) {
+    std::string log(4096, '\0');
+    gl.GetShaderInfoLog(shader, 4096, nullptr, log.data());
+    refuse_shader(log.c_str());
+  }
+  return shader;
+}
+
+GLuint link(const Gl& gl, ShapeKind kind) {
+  const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_source(kind));
+  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source(kind));
+  const GLuint program = gl.CreateProgram();
+  gl.AttachShader(program, vertex);
+  gl.AttachShader(program, fragment);
+  gl.LinkProgram(program);
+  gl.DeleteShader(vertex);
+  gl.DeleteShader(fragment);
+  GLint good = 0;
+  gl.GetProgramiv(program, GL_LINK_STATUS, &good);
+  if (good == 0) {
+    std::string log(4096, '\0');
+    gl.GetProgramInfoLog(program, 4096, nullptr, log.data());
+    refuse_shader(log.c_str());
+  }
+  return program;
+}
+
+Gl loaded_current(GlContext& context) {
+  context.make_current();
+  return Gl(context);
+}
+
+GLfloat part(std::uint8_t channel) { return static_cast<GLfloat>(channel) / 255.0F; }
+
+}  // namespace
+
+CanvasGpu::CanvasGpu(GlContext& context, int width_px, int height_px)
+    : context_(context),
+      gl_(loaded_current(context)),
+      width_px_(width_px),
+      height_px_(height_px),
+      target_(gl_, width_px, height_px) {
+  for (std::size_t i = 0; i < shape_kind_count; ++i) {
+    programs_[i] = link(gl_, static_cast<ShapeKind>(i));
+    gl_.UseProgram(programs_[i]);
+    gl_.Uniform2f(gl_.GetUniformLocation(programs_[i], "to_clip"), 2.0F / static_cast<float>(width_px),
+                  2.0F / static_cast<float>(height_px));
+  }
+  gl_.GenVertexArrays(1, &vertex_array_);
+  gl_.GenBuffers(1, &instances_);
+  gl_.GenTextures(1, &atlas_);
+  gl_.BindTexture(GL_TEXTURE_2D, atlas_);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+CanvasGpu::~CanvasGpu() {
+  context_.make_current();
+  for (const GLuint program : programs_) gl_.DeleteProgram(program);
+  gl_.DeleteVertexArrays(1, &vertex_array_);
+  gl_.DeleteBuffers(1, &instances_);
+  gl_.DeleteTextures(1, &atlas_);
+}
+
+void CanvasGpu::draw(Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
+  context_.make_current();
+  target_.bind();
+  gl_.ClearColor(part(background.r), part(background.g), part(background.b), part(background.a));
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  upload(batches);
+  upload(atlas);
+  std::size_t first_float = 0;
+  for (const Batch& batch : batches) {
+    draw_batch(batch, first_float);
+    first_float += batch.values.size();
+  }
+  image.width_px = width_px_;
+  image.height_px = height_px_;
+  image.rgba.resize(static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) * 4);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(0, 0, width_px_, height_px_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  if (gl_.GetError() != GL_NO_ERROR) throw EnvironmentError("OpenGL failed while drawing; is there enough memory?");
+}
+
+void CanvasGpu::upload(std::span<const Batch> batches) {
+  values_.clear();
+  for (const Batch& batch : batches) values_.insert(values_.end(), batch.values.begin(), batch.values.end());
+  gl_.BindVertexArray(vertex_array_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values_.size() * sizeof(float)), values_.data(),
+                 GL_STREAM_DRAW);
+}
+
+void CanvasGpu::upload(FontAtlas& atlas) {
+  gl_.BindTexture(GL_TEXTURE_2D, atlas_);
+  if (!atlas.take_change()) return;
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.width_px(), atlas.height_px(), 0, GL_RED, GL_UNSIGNED_BYTE,
+                 atlas.coverage().data());
+}
+
+void CanvasGpu::draw_batch(const Batch& batch, std::size_t first_float) {
+  const std::size_t vectors = vectors_per_instance(batch.kind);
+  const auto stride = static_cast<GLsizei>(vectors * 4 * sizeof(float));
+  for (std::size_t i = 0; i < vectors; ++i) {
+    const auto attribute = static_cast<GLuint>(i);
+    if (i >= enabled_attributes_) {
+      gl_.EnableVertexAttribArray(attribute);
+      gl_.VertexAttribDivisor(attribute, 1);
+      enabled_attributes_ = i + 1;
+    }
+    const std::uintptr_t offset = (first_float + i * 4) * sizeof(float);
+    gl_.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
+  }
+  gl_.UseProgram(programs_[static_cast<std::size_t>(batch.kind)]);
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, vertices_per_quad,
+                          static_cast<GLsizei>(batch.values.size() / (4 * vectors)));
+}
+
+}  // namespace proofreel

@@ -1,0 +1,34 @@
+#include "render/draw.h"
+
+#include <algorithm>
+
+#include "render/draw_layers.h"
+
+namespace proofreel {
+
+void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image) {
+  const Stage stage{canvas, frame, palette_of(style.theme), Camera(frame.view, canvas.width_px(), canvas.height_px()),
+                    sizes_of(canvas.height_px())};
+  const auto shows = [&style](Layer layer) {
+    return std::find(style.layers.begin(), style.layers.end(), layer) != style.layers.end();
+  };
+  canvas.clear(stage.palette.background);
+  if (shows(Layer::grid)) draw_grid(stage);
+  if (shows(Layer::bodies)) draw_bodies(stage, true);
+  if (shows(Layer::trails)) draw_trails(stage);
+  if (shows(Layer::bodies)) draw_bodies(stage, false);
+  if (shows(Layer::bvh)) draw_tree(stage);
+  if (shows(Layer::aabbs)) draw_boxes(stage);
+  if (shows(Layer::joints)) draw_joints(stage);
+  if (shows(Layer::contacts)) draw_contacts(stage);
+  if (shows(Layer::vectors)) draw_vectors(stage);
+  Cards cards(stage.safe_area());
+  if (shows(Layer::clock)) draw_clock(stage, cards);
+  draw_captions(stage, cards);
+  draw_plots(stage, cards);
+  if (shows(Layer::grid)) draw_grid_numbers(stage, cards);
+  if (shows(Layer::labels)) draw_labels(stage, cards);
+  canvas.finish(image);
+}
+
+}  // namespace proofreel

@@ -1,0 +1,76 @@
+#pragma once
+
+/// The layers of a picture, each drawn by one function from the same things.
+
+#include <span>
+#include <vector>
+
+#include "engine/aabb.h"
+#include "render/camera.h"
+#include "render/canvas.h"
+#include "render/theme.h"
+#include "scenarios/frame.h"
+
+namespace proofreel {
+
+/// What every layer draws with.
+struct Stage {
+  Canvas& canvas;
+  const Frame& frame;
+  const Palette& palette;
+  Camera camera;
+  Sizes sizes;
+
+  Aabbd picture() const {
+    return {{0, 0}, {static_cast<double>(canvas.width_px()), static_cast<double>(canvas.height_px())}};
+  }
+  Aabbd safe_area() const { return expanded(picture(), -sizes.margin); }
+};
+
+/// Where things written on the picture lie, in pixels, so that none covers another.
+class Cards {
+ public:
+  explicit Cards(const Aabbd& safe_area) : safe_(safe_area) {}
+
+  /// The place for a card of this size in its corner: beside the edge, or stacked onto what lies there already.
+  Aabbd place(Vec2d size, Corner at);
+  bool free(const Aabbd& card) const;
+  void take(const Aabbd& card) { taken_.push_back(card); }
+  const Aabbd& safe_area() const { return safe_; }
+
+ private:
+  Aabbd safe_;
+  std::vector<Aabbd> taken_;
+};
+
+void draw_grid(const Stage& stage);
+/// Only where nothing else is written.
+void draw_grid_numbers(const Stage& stage, Cards& cards);
+void draw_bodies(const Stage& stage, bool fixed_ones);
+void draw_tree(const Stage& stage);
+void draw_contacts(const Stage& stage);
+void draw_joints(const Stage& stage);
+void draw_boxes(const Stage& stage);
+void draw_trails(const Stage& stage);
+void draw_vectors(const Stage& stage);
+void draw_clock(const Stage& stage, Cards& cards);
+void draw_captions(const Stage& stage, Cards& cards);
+void draw_plots(const Stage& stage, Cards& cards);
+void draw_labels(const Stage& stage, Cards& cards);
+
+/// The box around a body's shapes, in pixels; empty without shapes.
+Aabbd box_px(const Stage& stage, const BodyView& body);
+
+/// A shape of a body in pixels.
+struct ShapePx {
+  std::vector<Vec2d> points;
+  double radius = 0;
+};
+ShapePx shape_px(const Stage& stage, const BodyView& body, const ShapeView& shape);
+
+void paint_shape(Canvas& canvas, const ShapePx& shape, const Paint& paint);
+
+/// Several shapes of one body, outlined together as if they were one.
+void paint_compound(Canvas& canvas, const std::vector<ShapePx>& shapes, const Paint& paint);
+
+}  // namespace proofreel

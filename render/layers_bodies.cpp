@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "render/draw_layers.h"
+
+namespace proofreel {
+namespace {
+
+std::vector<ShapePx> shapes_of(const Stage& stage, const BodyView& body) {
+  std::vector<ShapePx> shapes;
+  for (std::uint32_t i = 0; i < body.shape_count; ++i) {
+    shapes.push_back(shape_px(stage, body, stage.frame.snapshot.shapes[body.first_shape + i]));
+  }
+  return shapes;
+}
+
+/// From the centre of a disc to its rim, so that its spin shows.
+void draw_radius_line(Canvas& canvas, const BodyView& body, const ShapePx& shape, const Paint& paint) {
+  constexpr double least_px = 3;
+  if (shape.points.size() != 1 || shape.radius < least_px) return;
+  const Vec2d along{body.pose.rotation.c, -body.pose.rotation.s};
+  const double reach = shape.radius - paint.outline_px;
+  canvas.line(shape.points[0], shape.points[0] + reach * along, paint.outline_px, paint.outline);
+}
+
+/// Small bodies have thinner outlines, or there would be nothing else. Measured so that turning does not change it.
+double outline_px(const Stage& stage, const std::vector<ShapePx>& shapes) {
+  constexpr double largest_part = 0.2;
+  double reach = 0;
+  for (const ShapePx& shape : shapes) {
+    for (const Vec2d point : shape.points) {
+      reach = std::max(reach, 0.5 * distance(shape.points[0], point) + shape.radius);
+    }
+  }
+  return std::clamp(largest_part * reach, std::min(1.0, stage.sizes.outline), stage.sizes.outline);
+}
+
+void draw_body(const Stage& stage, const BodyView& body) {
+  const Tone tone = tone_of(stage.palette, body);
+  const std::vector<ShapePx> shapes = shapes_of(stage, body);
+  const Paint paint{tone.fill, tone.outline, outline_px(stage, shapes)};
+  if (shapes.size() == 1 || body.sensor) {
+    for (const ShapePx& shape : shapes) paint_shape(stage.canvas, shape, paint);
+  } else {
+    paint_compound(stage.canvas, shapes, paint);
+  }
+  if (body.type == BodyType::fixed) return;
+  for (const ShapePx& shape : shapes) draw_radius_line(stage.canvas, body, shape, paint);
+}
+
+}  // namespace
+
+ShapePx shape_px(const Stage& stage, const BodyView& body, const ShapeView& shape) {
+  ShapePx result{{}, stage.camera.px(shape.radius)};
+  for (std::uint32_t i = 0; i < shape.point_count; ++i) {
+    const Vec2d local = stage.frame.snapshot.points[shape.first_point + i];
+    result.points.push_back(stage.camera.to_px(to_world(body.pose, local)));
+  }
+  return result;
+}
+
+Aabbd box_px(const Stage& stage, const BodyView& body) {
+  Aabbd box;
+  for (const ShapePx& shape : shapes_of(stage, body)) {
+    for (const Vec2d point : shape.points) {
+      box = merged(box, expanded(Aabbd{point, point}, shape.radius));
+    }
+  }
+  return box;
+}
+
+void draw_bodies(const Stage& stage, bool fixed_ones) {
+  for (const BodyView& body : stage.frame.snapshot.bodies) {
+    if ((body.type == BodyType::fixed) == fixed_ones) draw_body(stage, body);
+  }
+}
+
+}  // namespace proofreel

@@ -1,0 +1,62 @@
+#include "render/pixel_convert.h"
+
+#include <cassert>
+
+// The loops below are compiled a second time for AVX2 and the better one is chosen when the program starts. Sanitizers
+// are not ready yet at that moment, so they get the plain version.
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define PROOFREEL_VECTORISED __attribute__((target_clones("avx2", "default")))
+#else
+#define PROOFREEL_VECTORISED
+#endif
+
+namespace proofreel {
+namespace {
+
+// BT.709: Y = 0.2126 R + 0.7152 G + 0.0722 B, Cb = (B - Y) / 1.8556, Cr = (R - Y) / 1.5748; scaled to limited range and
+// by 2^16. Each row of colour factors adds up to exactly 0, so that gray stays gray; the luma factors add up to
+// 219 / 255, so that white is exactly 235.
+constexpr std::uint32_t y_red = 11966, y_green = 40254, y_blue = 4064;
+constexpr std::int32_t u_red = -6596, u_green = -22189, u_blue = 28785;
+constexpr std::int32_t v_red = 28784, v_green = -26145, v_blue = -2639;
+constexpr std::uint32_t y_offset = (16U << 16U) + (1U << 15U);
+constexpr std::int32_t uv_offset = (128 << 18) + (1 << 17);  // sums of four pixels: two bits more
+
+PROOFREEL_VECTORISED
+void convert_luma_row(const std::uint8_t* __restrict rgba, std::uint8_t* __restrict y, int width) {
+  for (int i = 0; i < width; ++i) {
+    const std::uint32_t r = rgba[4 * i], g = rgba[4 * i + 1], b = rgba[4 * i + 2];
+    y[i] = static_cast<std::uint8_t>((y_red * r + y_green * g + y_blue * b + y_offset) >> 16U);
+  }
+}
+
+PROOFREEL_VECTORISED
+void convert_color_row(const std::uint8_t* __restrict upper, const std::uint8_t* __restrict lower,
+                       std::uint8_t* __restrict u, std::uint8_t* __restrict v, int width) {
+  for (int i = 0; i < width; ++i) {
+    const int k = 8 * i;
+    const std::int32_t r = upper[k] + upper[k + 4] + lower[k] + lower[k + 4];
+    const std::int32_t g = upper[k + 1] + upper[k + 5] + lower[k + 1] + lower[k + 5];
+    const std::int32_t b = upper[k + 2] + upper[k + 6] + lower[k + 2] + lower[k + 6];
+    u[i] = static_cast<std::uint8_t>((u_red * r + u_green * g + u_blue * b + uv_offset) >> 18);
+    v[i] = static_cast<std::uint8_t>((v_red * r + v_green * g + v_blue * b + uv_offset) >> 18);
+  }
+}
+
+}  // namespace
+
+void convert_to_yuv420(const Image& image, const Yuv420& out) {
+  assert(image.width_px % 2 == 0 && image.height_px % 2 == 0);
+  const std::size_t stride = static_cast<std::size_t>(image.width_px) * 4;
+  for (int row = 0; row < image.height_px; row += 2) {
+    const std::uint8_t* upper = image.rgba.data() + static_cast<std::size_t>(row) * stride;
+    const std::uint8_t* lower = upper + stride;
+    std::uint8_t* y = out.y + static_cast<std::ptrdiff_t>(row) * out.y_stride;
+    const std::ptrdiff_t color = static_cast<std::ptrdiff_t>(row / 2) * out.uv_stride;
+    convert_luma_row(upper, y, image.width_px);
+    convert_luma_row(lower, y + out.y_stride, image.width_px);
+    convert_color_row(upper, lower, out.u + color, out.v + color, image.width_px / 2);
+  }
+}
+
+}  // namespace proofreel

@@ -1,0 +1,40 @@
+#pragma once
+
+/// Encoded packets in, container file out. For render/video*.cpp only.
+
+#include <memory>
+#include <string>
+
+#include "render/video_av.h"
+
+namespace proofreel::av {
+
+enum class Layout {
+  matroska,
+  fragmented_mp4,  ///< readable up to the last whole fragment at any time
+  finished_mp4     ///< index first, for players that start before all has loaded
+};
+
+/// A container file with one video track.
+class Writer {
+ public:
+  /// `path` is what is opened, `name` what errors call it. `time_base` is the unit packets count time in.
+  Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track, AVRational time_base,
+         AVRational frame_rate);
+  void write(AVPacket& packet);
+  /// Completes the file. Throws EnvironmentError when any byte did not reach the disk.
+  void finish();
+
+ private:
+  struct Close {
+    void operator()(AVFormatContext* p) const;
+  };
+  std::string name_;
+  std::unique_ptr<AVFormatContext, Close> format_;
+  AVRational time_base_{};
+};
+
+/// Copies the packets of a fragmented MP4 into a finished one that starts at time 0.
+void finish_mp4(const std::string& fragmented, const std::string& finished, const std::string& name);
+
+}  // namespace proofreel::av

@@ -1,0 +1,223 @@
+#include <catch2/catch.hpp>
+
+#include "golden/json.h"
+#include "golden/store.h"
+#include "render/pixel_hash.h"
+#include "render/png.h"
+#include "tests/cli/collection.h"
+
+namespace proofreel {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+/// A collection with one blessed scenario, "hard/ball": golden frames 0, 15 and 29.
+class BlessedCollection : public Collection {
+ public:
+  BlessedCollection() {
+    write("hard/ball", falling_ball());
+    REQUIRE(run({"bless"}).status == 0);
+  }
+  std::string golden(const std::string& file) const { return *this / ("golden/images/hard/ball/" + file); }
+  Golden load() const { return *GoldenStore(*this / "golden").load("hard/ball"); }
+  void store(const Golden& g) const { write_text(golden("golden.json"), to_json_text(g)); }
+  /// The verdict of each finding of a check: those of the frames, then the end's.
+  std::vector<std::string> verdicts(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"check", "hard/ball", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome o = run(arguments);
+    const Json json = Json::parse(o.out);
+    std::vector<std::string> list;
+    bool all_pass = true;
+    for (const Json& finding : json.at("scenarios").at(0).at("findings")) {
+      list.push_back(finding.at("verdict"));
+      all_pass = all_pass && (list.back() == "exact" || list.back() == "tolerated");
+    }
+    REQUIRE(o.status == (all_pass ? 0 : 1));
+    REQUIRE(json.at("passed") == all_pass);
+    return list;
+  }
+};
+
+using Words = std::vector<std::string>;
+
+void change_pixels(const std::string& file, int by) {
+  Image image = read_png(file);
+  for (std::size_t i = 0; i < 40; i += 4) image.rgba[i] = static_cast<std::uint8_t>(image.rgba[i] ^ by);
+  write_png(file, image);
+}
+
+TEST_CASE("What was just blessed checks as exact, with pictures and without", "[golden]") {
+  const BlessedCollection c;
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+  REQUIRE(c.verdicts({"--hash-only"}) == Words(4, "exact"));
+  REQUIRE(c.run({"check"}).status == 0);
+  const Golden golden = c.load();
+  REQUIRE(golden.size == Size{96, 64});
+  REQUIRE(golden.frames.size() == 3);
+  REQUIRE(golden.frames[1].file == "frame_00015.png");
+  REQUIRE(golden.frames[1].bodies.at(0).name == "ball");
+  REQUIRE(golden.frames[1].bodies.at(0).y == Approx(5 - 0.5 * 9.81 * 0.0625));
+  REQUIRE_THAT(golden.version, Contains("Mesa"));
+  REQUIRE(read_png(c.golden("frame_00029.png")).width_px == 96);
+}
+
+TEST_CASE("Blessing again changes nothing and says so", "[golden]") {
+  const BlessedCollection c;
+  const auto written = fs::last_write_time(c.golden("golden.json"));
+  const Outcome o = c.run({"bless"});
+  REQUIRE(o.status == 0);
+  REQUIRE_THAT(o.out, Contains("hard/ball: unchanged"));
+  REQUIRE(fs::last_write_time(c.golden("golden.json")) == written);
+}
+
+TEST_CASE("Other physics is called physics, naming the body and the frames between which it began", "[golden]") {
+  const BlessedCollection c;
+  REQUIRE(c.verdicts({"--set", "gravity={0,-9.7}"}) == Words{"exact", "physics", "physics", "physics"});
+  REQUIRE(c.verdicts({"--hash-only", "--set", "gravity={0,-9.7}"}) == Words{"exact", "physics", "physics", "physics"});
+  const Outcome o = c.run({"check", "hard/ball", "--set", "gravity={0,-9.7}"});
+  REQUIRE_THAT(o.out, Contains("FAILED  hard/ball") && Contains("\"ball\"") && Contains("since frame 0"));
+}
+
+TEST_CASE("Other drawing is called drawing, and passes where nothing is drawn", "[golden]") {
+  const BlessedCollection c;
+  REQUIRE(c.verdicts({"--set", "theme=dark"}) == Words{"drawing", "drawing", "drawing", "exact"});
+  REQUIRE(c.verdicts({"--hash-only", "--set", "theme=dark"}) == Words(4, "exact"));
+}
+
+TEST_CASE("Other physics and other drawing together are called both", "[golden]") {
+  const BlessedCollection c;
+  REQUIRE(c.verdicts({"--set", "theme=dark", "--set", "gravity={0,-9}"}) ==
+          Words{"drawing", "both", "both", "physics"});
+}
+
+TEST_CASE("A reference picture that is missing, cut or replaced is found though all hashes agree", "[golden]") {
+  const BlessedCollection c;
+  const std::string file = c.golden("frame_00015.png");
+  const std::string bytes = read_text(file);
+  fs::remove(file);
+  REQUIRE(c.verdicts() == Words{"exact", "missing", "exact", "exact"});
+  write_text(file, bytes.substr(0, bytes.size() / 2));
+  REQUIRE(c.verdicts() == Words{"exact", "missing", "exact", "exact"});
+  REQUIRE_THAT(c.run({"check"}).out, Contains("frame_00015.png") && Contains("damaged"));
+  change_pixels(c.golden("frame_00000.png"), 1);
+  REQUIRE(c.verdicts() == Words{"missing", "missing", "exact", "exact"});
+}
+
+TEST_CASE("Pixels within the tolerance are tolerated, with the headroom told; beyond it they are not", "[golden]") {
+  const BlessedCollection c;
+  const std::string file = c.golden("frame_00015.png");
+  change_pixels(file, 2);  // of ten pixels, one channel
+  Golden golden = c.load();
+  const std::string bytes = read_text(file);
+  golden.frames[1].pixel_hash = pixel_hash(read_png(file));
+  golden.frames[1].file_hash = bytes_hash({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  const auto verdict_with = [&](const Tolerance& tolerance) {
+    golden.tolerance = tolerance;
+    c.store(golden);
+    return c.verdicts()[1];
+  };
+  REQUIRE(verdict_with({}) == "drawing");
+  REQUIRE_THAT(c.run({"check"}).out, Contains("10 of 6144 pixels differ, by up to 2 of 255 (at 0,0)"));
+  REQUIRE(verdict_with({1, 0, "why"}) == "drawing");
+  REQUIRE(verdict_with({2, 0, "why"}) == "tolerated");
+  REQUIRE(verdict_with({0, 9, "why"}) == "drawing");
+  REQUIRE(verdict_with({0, 10, "why"}) == "tolerated");
+  REQUIRE_THAT(c.run({"check"}).out, Contains("passed") && Contains("10 pixels beyond, of which 10 are used"));
+  REQUIRE(c.verdicts({"--set", "gravity={0,-9}"})[1] == "physics");
+}
+
+TEST_CASE("A picture of other size is called size", "[golden]") {
+  const BlessedCollection c;
+  std::string lua = falling_ball();
+  lua.replace(lua.rfind("{96, 64}"), 8, "{98, 64}");
+  c.write("hard/ball", lua);
+  REQUIRE(c.verdicts() == Words{"size", "size", "size", "exact"});
+}
+
+TEST_CASE("A frame newly asked for is missing, one no longer asked for an orphan, until blessed and pruned",
+          "[golden]") {
+  const BlessedCollection c;
+  std::string lua = falling_ball();
+  lua.replace(lua.find("{0, 15, 29}"), 11, "{0, 16, 29}");
+  c.write("hard/ball", lua);
+  REQUIRE(c.verdicts() == Words{"orphan", "exact", "missing", "exact", "exact"});
+  const Outcome bless = c.run({"bless"});
+  REQUIRE_THAT(bless.out, Contains("frame 16: new") && Contains("frame_00015.png") && Contains("--prune"));
+  REQUIRE(c.verdicts() == Words{"exact", "exact", "exact", "exact", "orphan"});
+  REQUIRE_THAT(c.run({"bless", "--prune"}).out, Contains("frame_00015.png is removed"));
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+}
+
+TEST_CASE("A reference whose scenario is gone is an orphan of the collection", "[golden]") {
+  const BlessedCollection c;
+  c.write("other", "scenario { duration = 0.1 }\n");
+  fs::remove(c / "scenarios/hard/ball.lua");
+  const Outcome o = c.run({"check"});
+  REQUIRE(o.status == 1);
+  REQUIRE_THAT(o.out, Contains("orphan  hard/ball"));
+  REQUIRE(c.run({"check", "other"}).status == 0);
+}
+
+TEST_CASE("A damaged golden.json fails the check by name, and blessing writes it anew", "[golden]") {
+  const BlessedCollection c;
+  write_text(c.golden("golden.json"), "{\"format\": 1,");
+  const Outcome o = c.run({"check", "hard/ball"});
+  REQUIRE(o.status == 1);
+  REQUIRE_THAT(o.out, Contains("golden.json is damaged"));
+  REQUIRE(c.run({"bless"}).status == 0);
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+}
+
+TEST_CASE("bless says what changed, keeps the tolerance, and writes only pictures that changed", "[golden]") {
+  const BlessedCollection c;
+  Golden golden = c.load();
+  golden.tolerance = {3, 5, "a reason"};
+  c.store(golden);
+  const auto first = fs::last_write_time(c.golden("frame_00000.png"));
+  std::string lua = falling_ball();
+  lua.replace(lua.find("duration = 0.5"), 14, "duration = 0.5, gravity = {0, -9}");
+  c.write("hard/ball", lua);
+  const Outcome o = c.run({"bless", "hard/ball"});
+  REQUIRE(o.status == 0);
+  REQUIRE_THAT(o.out, Contains("frame 29: other state and other pixels"));
+  REQUIRE_THAT(o.out, !Contains("frame 0:"));
+  REQUIRE(fs::last_write_time(c.golden("frame_00000.png")) == first);
+  REQUIRE(c.load().tolerance.max_channel == 3);
+  REQUIRE(c.load().tolerance.reason == "a reason");
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+}
+
+TEST_CASE("bless refuses with CI=true", "[golden]") {
+  const Collection c;
+  c.write("ball", falling_ball());
+  const Outcome o = c.run({"bless"}, {{"CI", "true"}});
+  REQUIRE(o.status == 2);
+  REQUIRE_THAT(o.err, Contains("CI=true"));
+  REQUIRE(fs::is_empty(c / "golden"));
+  REQUIRE(c.run({"bless"}, {{"CI", "false"}}).status == 0);
+}
+
+TEST_CASE("A golden frame beyond the film is a bad scenario", "[golden]") {
+  const Collection c;
+  std::string lua = falling_ball();
+  lua.replace(lua.find("{0, 15, 29}"), 11, "{0, 15, 30}");
+  c.write("ball", lua);
+  const Outcome o = c.run({"check", "ball"});
+  REQUIRE(o.status == 2);
+  REQUIRE_THAT(o.err, Contains("golden frame 30") && Contains("0 to 29"));
+}
+
+TEST_CASE("A scenario that is not golden keeps its final state only", "[golden]") {
+  const Collection c;
+  c.write("free", "scenario { duration = 0.1 }\nbody { at = {0, 1}, shape = circle { radius = 1 } }\n");
+  REQUIRE(c.run({"bless"}).status == 0);
+  REQUIRE(c.run({"check"}).status == 0);
+  const Outcome o = c.run({"check", "free", "--set", "gravity={0,-1}"});
+  REQUIRE(o.status == 1);
+  REQUIRE_THAT(o.out, Contains("physics"));
+}
+
+}  // namespace
+}  // namespace proofreel

@@ -1,0 +1,200 @@
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "render/png.h"
+#include "tests/cli/collection.h"
+#include "tests/render/decoded_film.h"
+
+namespace proofreel {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+/// A collection with one scenario, "ball": 30 frames of 96x64.
+class BallCollection : public Collection {
+ public:
+  BallCollection() { write("ball", falling_ball()); }
+  Outcome render(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{"render", "ball"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+  }
+};
+
+TEST_CASE("render makes an MP4 with every frame of the film, and says nothing off a terminal", "[cli]") {
+  const BallCollection c;
+  const Outcome o = c.render({"-o", "ball.mp4", "--quality", "draft"});
+  REQUIRE(o.status == 0);
+  REQUIRE(o.out.empty());
+  REQUIRE(o.err.empty());
+  const DecodedFilm film = decode_film(c / "ball.mp4");
+  REQUIRE(film.frames.size() == 30);
+  REQUIRE(film.duration_s == Approx(0.5).margin(0.002));
+  REQUIRE(film.fps == Approx(60));
+  REQUIRE(film.matrix == "bt709");
+  REQUIRE(film.range == "tv");
+  REQUIRE(film.index_first);
+  REQUIRE(film.frames.back().width_px == 96);
+}
+
+TEST_CASE("A film shows what the pictures show: the last frame of a lossless one is the last PNG", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "ball.mkv", "--quality", "lossless"}).status == 0);
+  REQUIRE(c.render({"-o", "last.png"}).status == 0);
+  const DecodedFilm film = decode_film(c / "ball.mkv");
+  REQUIRE(film.frames.size() == 30);
+  REQUIRE(film.frames.back().rgba == read_png(c / "last.png").rgba);
+  REQUIRE(film.frames.front().rgba != film.frames.back().rgba);
+}
+
+TEST_CASE("--size, --fps and --frames say what is made", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "a.mp4", "--size", "128x72", "--fps", "30", "--frames", "3:9"}).status == 0);
+  const DecodedFilm film = decode_film(c / "a.mp4");
+  REQUIRE(film.frames.size() == 7);
+  REQUIRE(film.fps == Approx(30));
+  REQUIRE(film.frames.front().width_px == 128);
+  REQUIRE(c.render({"-o", "odd.png", "--size", "33x21"}).status == 0);
+  REQUIRE(read_png(c / "odd.png").width_px == 33);
+}
+
+TEST_CASE("A sequence has one PNG per frame, the same pictures as asked for singly", "[cli]") {
+  const BallCollection c;
+  fs::create_directories(c / "out");
+  REQUIRE(c.render({"-o", "out/f_%04d.png", "--frames", "10:12"}).status == 0);
+  REQUIRE(c.render({"-o", "single.png", "--frames", "11"}).status == 0);
+  REQUIRE(read_png(c / "out/f_0011.png").rgba == read_png(c / "single.png").rgba);
+  REQUIRE(fs::exists(c / "out/f_0010.png"));
+  REQUIRE(fs::exists(c / "out/f_0012.png"));
+  REQUIRE_FALSE(fs::exists(c / "out/f_0013.png"));
+}
+
+TEST_CASE("Raw pictures on standard output are the bytes of the frames and nothing else", "[cli]") {
+  const BallCollection c;
+  const Outcome o = c.render({"-o", "-", "--frames", "0:2"});
+  REQUIRE(o.status == 0);
+  REQUIRE(o.out.size() == 3 * 96 * 64 * 4);
+  REQUIRE(c.render({"-o", "first.png", "--frames", "0"}).status == 0);
+  const Image first = read_png(c / "first.png");
+  REQUIRE(o.out.compare(0, first.rgba.size(), reinterpret_cast<const char*>(first.rgba.data()), first.rgba.size()) ==
+          0);
+}
+
+TEST_CASE("The same frames have the same hashes whatever draws them and on how many threads", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "a.hash", "--gl", "osmesa"}).status == 0);
+  REQUIRE(c.render({"-o", "b.hash", "--gl", "egl", "--threads", "8"}).status == 0);
+  REQUIRE(c.render({"-o", "c.hash", "--theme", "dark"}).status == 0);
+  REQUIRE(read_text(c / "a.hash") == read_text(c / "b.hash"));
+  REQUIRE(read_text(c / "a.hash") != read_text(c / "c.hash"));
+}
+
+TEST_CASE("--layers replaces the layers or changes them", "[cli]") {
+  const BallCollection c;
+  for (const char* layers : {"bodies", "grid", "+grid,-bodies", "bodies,grid", "+grid"}) {
+    REQUIRE(c.render({"-o", std::string(layers) + ".hash", "--frames", "0", "--layers", layers}).status == 0);
+  }
+  REQUIRE(read_text(c / "grid.hash") == read_text(c / "+grid,-bodies.hash"));
+  REQUIRE(read_text(c / "bodies,grid.hash") == read_text(c / "+grid.hash"));
+  REQUIRE(read_text(c / "bodies.hash") != read_text(c / "grid.hash"));
+  REQUIRE(read_text(c / "bodies.hash") != read_text(c / "+grid.hash"));
+}
+
+TEST_CASE("Values that make no sense exit with 2 and leave no file", "[cli]") {
+  const BallCollection c;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"-o", "a.mp4", "--size", "0x0"}, "0x0"},
+      {{"-o", "a.mp4", "--size", "1921x1081"}, "1922x1082"},
+      {{"-o", "a.png", "--size", "100000x100000"}, "100000x100000"},
+      {{"-o", "a.png", "--size", "99999999999999999999x2"}, "--size"},
+      {{"-o", "a.png", "--size", "12"}, "12"},
+      {{"-o", "a.png", "--size", "12x-3"}, "12x-3"},
+      {{"-o", "a.png", "--size", "axb"}, "axb"},
+      {{"-o", "a.mp4", "--frames", "9:3"}, "9:3"},
+      {{"-o", "a.mp4", "--frames", "0:30"}, "0 to 29"},
+      {{"-o", "a.mp4", "--frames", "x"}, "x"},
+      {{"-o", "a.mp4", "--frames", "-1:3"}, ""},
+      {{"-o", "a.mp4", "--frames", ":"}, "FIRST:LAST"},
+      {{"-o", "a.mp4", "--layers", "bodies,bones"}, "bvh"},
+      {{"-o", "a.mp4", "--layers", "+grid,bodies"}, "+grid,bodies"},
+      {{"-o", "a.mp4", "--theme", "pink"}, "dark"},
+      {{"-o", "a.mp4", "--quality", "best"}, "lossless"},
+      {{"-o", "a.mp4", "--fps", "0"}, "fps"},
+      {{"-o", "a.mp4", "--fps", "7"}, "7"},
+      {{"-o", "a.mp4", "--preset", "quick"}, "veryfast"},
+      {{"-o", "a.mp4", "--crf", "99"}, "51"},
+      {{"-o", "a.avi"}, "a.avi"},
+      {{"-o", "a.gif"}, "not built yet"},
+      {{"-o", "%s.png"}, "%04d"},
+      {{}, "--output"},
+  };
+  for (const auto& [options, expected] : wrong) {
+    CAPTURE(options);
+    const Outcome o = c.render(options);
+    REQUIRE(o.status == 2);
+    REQUIRE_THAT(o.err, Contains(expected));
+    REQUIRE(o.out.empty());
+  }
+  for (const auto& entry : fs::directory_iterator(c.path())) REQUIRE(fs::is_directory(entry));
+}
+
+TEST_CASE("An unwritable place, a full disk and a GL that is not there are errors of the environment", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "none/a.mp4"}).status == 3);
+  fs::create_symlink("/dev/full", c / "full.png");
+  fs::create_symlink("/dev/full", c / "full.mp4");
+  for (const char* out : {"full.png", "full.mp4"}) {
+    const Outcome o = c.render({"-o", out});
+    REQUIRE(o.status == 3);
+    REQUIRE_THAT(o.err, Contains(out) && Contains("No space left"));
+  }
+}
+
+TEST_CASE("A script that fails in the middle leaves no film", "[cli]") {
+  const Collection c;
+  c.write("ball", falling_ball("at(0.3, function() error(\"out of luck\") end)\n"));
+  const Outcome o = c.run({"render", "ball", "-o", "a.mp4"});
+  REQUIRE(o.status == 2);
+  REQUIRE_THAT(o.err, Contains("out of luck"));
+  for (const auto& entry : fs::directory_iterator(c.path())) REQUIRE(fs::is_directory(entry));
+}
+
+TEST_CASE("A film that is interrupted leaves nothing and dies of the signal", "[cli]") {
+  const Collection c;
+  c.write("long", "scenario { duration = 1000, size = {320, 240} }\nbody { shape = circle { radius = 1 } }\n");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Program program({"render", "long", "-o", "a.mp4"}, c.path());
+    const auto started = [&] {
+      for (const auto& entry : fs::directory_iterator(c.path())) {
+        if (!fs::is_directory(entry) && fs::file_size(entry) > 0) return true;
+      }
+      return false;
+    };
+    for (int i = 0; i < 500 && !started(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    REQUIRE(started());
+    program.send(signal);
+    const Outcome o = program.wait();
+    REQUIRE(o.signal == signal);
+    for (const auto& entry : fs::directory_iterator(c.path())) REQUIRE(fs::is_directory(entry));
+  }
+}
+
+TEST_CASE("doctor tells of both backends and the encoders", "[cli]") {
+  const Outcome o = proofreel_program({"doctor"});
+  REQUIRE(o.status == 0);
+  REQUIRE_THAT(o.out, Contains("osmesa") && Contains("egl") && Contains("libx264") && Contains("16384"));
+}
+
+TEST_CASE("The picture commands explain themselves with an example", "[cli]") {
+  for (const char* name : {"render", "bless", "doctor"}) {
+    const Outcome o = proofreel_program({name, "--help"});
+    REQUIRE(o.status == 0);
+    REQUIRE_THAT(o.out, Contains("Example: proofreel " + std::string(name)));
+  }
+}
+
+}  // namespace
+}  // namespace proofreel
