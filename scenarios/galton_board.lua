@@ -1,50 +1,52 @@
--- Left or right, twelve times: the slots fill to a bell.
+-- Left or right, row after row: the slots fill to a bell.
 scenario {
-  title = "Galton board", duration = 16, seed = 5, view = { center = {0, 4.6}, height = 10.4 },
-  description = "Balls fall through rows of pegs; the slots below collect the binomial distribution.",
+  title = "Galton board", duration = 16, seed = 5, view = { center = {0, 4.15}, height = 9.8 },
+  description = "Balls fall one by one through rows of pegs; the slots below collect a bell-shaped heap.",
   golden = { frames = { 0, 240, 600, 959 } }, layers = { "bodies" },
 }
 
-local rows, pitch, drop = 12, 0.56, 0.42
-local top = 8.4
+local rows, columns, pitch, drop, top = 11, 15, 0.5, 0.44, 8
+local half = columns * pitch / 2
 ground { y = 0 }
 for row = 1, rows do
-  for i = 1, row + 1 do
-    body { name = "peg", type = "static", at = { (i - 1 - row / 2) * pitch, top - row * drop }, restitution = 0.35, friction = 0.1,
-           shape = circle { radius = 0.07 } }
+  local odd = row % 2
+  for i = 1, columns - odd do
+    body { name = ("peg %d.%d"):format(row, i), type = "static", at = { (i - (columns - odd + 1) / 2) * pitch, top - row * drop },
+           restitution = 0.25, friction = 0.1, shape = circle { radius = 0.08 } }
   end
 end
-local slots = rows + 3
-for i = 0, slots do
-  local x = (i - slots / 2) * pitch
-  body { name = "divider", type = "static", at = { x, 1.45 }, shape = box { width = 0.05, height = 2.9 }, friction = 0.1 }
-end
--- The funnel and the outer walls keep everything on the board.
-for _, side in ipairs { -1, 1 } do
-  body { name = "funnel", type = "static", shape = polygon { { side * 0.24, 8.5 }, { side * 2.2, 9.7 }, { side * 2.2, 9.8 }, { side * 0.24, 8.6 } }, friction = 0.05 }
-  wall { a = { side * slots / 2 * pitch, 0 }, b = { side * slots / 2 * pitch, 9.6 } }
+for i = 0, columns do
+  local height = (i == 0 or i == columns) and 8.4 or 2.7
+  body { name = "divider " .. i, type = "static", at = { i * pitch - half, height / 2 }, shape = box { width = 0.05, height = height }, friction = 0.1 }
 end
 
 local balls = {}
-every(0.08, function()
-  if #balls >= 130 then return end
-  balls[#balls + 1] = body { name = "ball", at = { (math.random() - 0.5) * 1.6, 9.6 + 0.2 * math.random() }, restitution = 0.3, friction = 0.05,
-                             shape = circle { radius = 0.13 }, density = 5 }
+every(0.11, function()
+  if #balls >= 90 then return end
+  balls[#balls + 1] = body { name = "ball " .. #balls + 1, at = { (math.random() - 0.5) * 0.02, 8.3 }, restitution = 0.25, friction = 0.05,
+                             shape = circle { radius = 0.11 }, density = 5 }
 end)
-measure("mean slot", function()
-  local sum, n = 0, 0
+
+local function moments()
+  local sum, squares = 0, 0
   for _, b in ipairs(balls) do
-    local p = b:position()
-    if p.y < 2.9 then sum, n = sum + p.x / pitch, n + 1 end
+    local slot = b:position().x / pitch
+    sum, squares = sum + slot, squares + slot^2
   end
-  return n > 0 and sum / n or 0
-end)
-expect("every ball has found a slot", function()
-  for _, b in ipairs(balls) do if b:position().y > 3.4 then return false end end
-  return #balls == 130
+  local mean = sum / #balls
+  return mean, math.sqrt(squares / #balls - mean^2)
+end
+measure("mean slot", function() return #balls > 0 and moments() or 0 end)
+expect("every ball has come down", function()
+  for _, b in ipairs(balls) do if b:position().y > 3.2 then return false end end
+  return #balls == 90
 end, { finally = true })
+-- A mean of 90 throws strays by about a tenth of the width of the heap.
 expect("the heap is centred", function()
-  local sum = 0
-  for _, b in ipairs(balls) do sum = sum + b:position().x / pitch end
-  return math.abs(sum / #balls) < 0.6
+  local mean, width = moments()
+  return math.abs(mean) < 0.3 * width
+end, { finally = true })
+expect("its width is that of a chain of random choices, one a row", function()
+  local _, width = moments()
+  return width > 0.5 * math.sqrt(rows) / 2 and width < 2 * math.sqrt(rows) / 2
 end, { finally = true })
