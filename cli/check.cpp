@@ -139,7 +139,7 @@ int check(const Options& options) {
   }
   if (results.errors.empty()) results.orphans = orphans_of(options, results.checks);
   if (options.json)
-    std::cout << json_of(results).dump(2) << "\n";
+    std::cout << json_text(json_of(results), 2) << "\n";
   else
     for (const std::string& id : results.orphans) std::cout << "orphan  " << id << ": no scenario asks for it\n";
   return results.status();

@@ -36,7 +36,7 @@ int run(const Options& options) {
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!options.csv.empty()) write_file(options.csv, csv_of(*scenario, runner.samples()));
   if (options.json)
-    std::cout << json_of(report, scenario->warnings, wall_s).dump(2) << "\n";
+    std::cout << json_text(json_of(report, scenario->warnings, wall_s), 2) << "\n";
   else
     std::cout << text_of(report);
   say_all(failures_of(report.scenario, report.expectations));

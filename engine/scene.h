@@ -69,7 +69,11 @@ struct BodyDef {
   std::optional<std::uint32_t> color;  ///< 0xRRGGBB; without it, by body type
 };
 
-enum class JointKind : std::uint8_t { revolute, distance, spring };
+enum class JointKind : std::uint8_t {
+  revolute,  ///< keeps two anchors together; its two bodies do not collide with each other
+  distance,  ///< keeps two anchors `length` apart, as a massless rod
+  spring     ///< pulls two anchors towards `length` apart
+};
 
 /// Anchors are in the coordinates of their bodies (world coordinates for the world body).
 struct JointDef {

@@ -14,11 +14,12 @@ double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
 
 }  // namespace
 
-/// Whatever a command does to the energy is work from outside.
+/// Whatever a command does to the energy is work from outside. Forces do theirs during the tick (`book_work`).
 void World::apply(const Command& command) {
-  const double before = energy().total();
+  const bool acts_later = std::holds_alternative<ApplyForce>(command) || std::holds_alternative<ApplyTorque>(command);
+  const double before = acts_later ? 0 : energy().total();
   std::visit([this](const auto& c) { execute(c); }, command);
-  booked_work_ += energy().total() - before;
+  if (!acts_later) booked_work_ += energy().total() - before;
 }
 
 void World::add_body(const BodyDef& def) {

@@ -27,6 +27,18 @@ std::optional<Golden> load_or_forget(const GoldenStore& store, const std::string
   }
 }
 
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw EnvironmentError("Cannot make the folder " + path.string() + ": " + error.message() + ".");
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw EnvironmentError("Cannot remove " + path.string() + ": " + error.message() + ".");
+}
+
 const GoldenFrame* find(const std::optional<Golden>& golden, std::int64_t frame) {
   if (!golden) return nullptr;
   for (const GoldenFrame& candidate : golden->frames) {
@@ -56,7 +68,7 @@ class Blessing {
   void keep(const Observation& now, const GlInfo& info) {
     new_.ticks = now.report.ticks;
     new_.final_trajectory_hash = now.final_trajectory_hash;
-    fs::create_directories(store_.folder(new_.scenario));
+    make_folder(store_.folder(new_.scenario));
     for (const ObservedFrame& frame : now.frames) keep_frame(frame);
     // Who drew is only of interest when something new was drawn: another processor alone changes no reference.
     const bool drawn_by_old = old_ && !drew_;
@@ -67,7 +79,7 @@ class Blessing {
 
   void tidy(bool prune) {
     for (const fs::path& orphan : store_.orphan_files(new_)) {
-      if (prune) fs::remove(orphan);
+      if (prune) remove_file(orphan);
       result_.changes.push_back(orphan.string() +
                                 (prune ? " is removed." : " belongs to no golden frame; --prune removes it."));
     }

@@ -31,7 +31,7 @@ GoldenFrame frame_from(const Json& json) {
 /// `"key": value,` on a line of its own.
 std::string line(const char* indent, const char* key, const Json& value) {
   std::string text(indent);
-  return text.append("\"").append(key).append("\": ").append(value.dump()).append(",\n");
+  return text.append("\"").append(key).append("\": ").append(json_text(value)).append(",\n");
 }
 
 std::string frame_text(const GoldenFrame& frame) {
@@ -44,7 +44,7 @@ std::string frame_text(const GoldenFrame& frame) {
   text += "      \"bodies\": [";
   const char* separator = "\n        ";
   for (const BodyPose& body : frame.bodies) {
-    text.append(separator).append(to_json(body).dump());
+    text.append(separator).append(json_text(to_json(body)));
     separator = ",\n        ";
   }
   return text.append("\n      ]\n    }");

@@ -101,8 +101,8 @@ struct KnownEncoder {
   const char* package;
 };
 constexpr std::array<KnownEncoder, 2> known_encoders{{
-    {"libx264", "H.264 (.mp4, .mkv)", "Debian's libavcodec59 has it; FFmpeg must be built with --enable-libx264"},
-    {"ffv1", "FFV1, lossless (.mkv)", "every full FFmpeg has it, such as Debian's libavcodec59"},
+    {"libx264", "H.264 (.mp4, .mkv)", "install Debian's libavcodec59, or an FFmpeg built with --enable-libx264"},
+    {"ffv1", "FFV1, lossless (.mkv)", "install Debian's libavcodec59, or a full FFmpeg"},
 }};
 
 bool available(const char* name) { return avcodec_find_encoder_by_name(name) != nullptr; }

@@ -8,7 +8,7 @@ scenario {
 ground { y = 0 }
 local colors = { 0x8c6bb1, 0x4a7fb5, 0x3c9a8f, 0xd98c2b, 0xb8433f }
 for i, e in ipairs { 0, 0.5, 0.7, 0.9, 1 } do
-  local ball = body { name = ("e = %.1f"):format(e), at = { (i - 3) * 0.8 + 1.1, 2.15 }, restitution = e, color = colors[i],
+  local ball = body { name = ("e = %.1f"):format(e), at = { (i - 3) * 0.8 + 1.45, 2.15 }, restitution = e, color = colors[i],
                       shape = circle { radius = 0.15 }, category = 1 << i, mask = 1 }
   label { body = ball, text = ("e = %.1f"):format(e) }
   trail { body = ball, seconds = 0.35 }

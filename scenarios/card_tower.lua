@@ -1,6 +1,6 @@
 -- Nothing but friction holds this up: thin cards leaning on each other, three storeys high.
 scenario {
-  title = "Card tower", duration = 6, rate = 480, view = { center = {0, 1.15}, height = 3.2 },
+  title = "Card tower", duration = 6, rate = 480, view = { center = {0, 1.4}, height = 3.7 },
   description = "Leaning pairs of thin cards stand by friction alone, until a ball arrives.",
   golden = { frames = { 0, 180, 250, 359 } }, layers = { "bodies", "contacts" }, method = { substeps = 4 },
 }

@@ -1,6 +1,6 @@
 -- Three double pendulums, a ten-thousandth of a degree apart: the same at first, strangers soon after.
 scenario {
-  title = "Sensitive to the start", duration = 14, rate = 960, view = { center = {0, 0}, height = 4.6 }, gravity = {0, -9.81},
+  title = "Sensitive to the start", duration = 14, rate = 960, view = { center = {1.7, 0}, height = 5 }, gravity = {0, -9.81},
   description = "Chaos: three double pendulums that start 0.0001 degrees apart.",
   golden = { frames = { 0, 120, 839 } }, layers = { "bodies", "joints", "trails" }, theme = "dark",
 }

@@ -161,13 +161,14 @@ std::vector<std::string> all_layer_names() {
 }
 
 std::vector<Layer> read_layers(const Fields& fields) {
-  std::vector<Layer> layers;
+  // Whoever marks a body with a trail, a vector or a label wants to see it, without naming it here again.
+  std::vector<Layer> layers{Layer::trails, Layer::vectors, Layer::labels};
   for (const std::string& name : read_names(fields, "layers")) {
     const auto layer = layer_named(name);
     if (!layer) {
       fields.refuse("layers", "cannot hold " + quote(name) + "; there are " + quoted_list(all_layer_names()));
     }
-    layers.push_back(*layer);
+    if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
   }
   return layers;
 }

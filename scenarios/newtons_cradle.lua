@@ -1,6 +1,6 @@
 -- Momentum and energy together leave only one answer: as many balls out as went in.
 scenario {
-  title = "Newton's cradle: two in, two out", duration = 6, rate = 960, view = { center = {0, 1.15}, height = 3.2 },
+  title = "Newton's cradle: two in, two out", duration = 6, rate = 960, view = { center = {0, 0.8}, height = 3.4 },
   description = "Elastic impacts handed on pair by pair along a row of five balls.",
   effects = { "gravity", "joints", "contacts", "restitution" },
   layers = { "bodies", "joints", "trails", "clock" }, golden = { frames = { 0, 44, 50, 90 } },

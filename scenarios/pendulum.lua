@@ -3,7 +3,7 @@ scenario {
   title = "Pendulum at 60 degrees",
   description = "A large swing beside its exact solution: the rod keeps its length, the energy its sum.",
   duration = 10, view = { center = {0.35, -0.42}, height = 1.7 },
-  layers = { "bodies", "joints", "trails", "vectors", "labels" },
+  layers = { "bodies", "joints", "trails", "vectors" },
   golden = { frames = { 0, 33, 97, 599 } },
 }
 
@@ -30,7 +30,6 @@ end, { always = true })
 
 trail { body = bob, seconds = 1.2 }
 vector { body = bob, of = "velocity", scale = 0.12 }
-label { body = bob, text = "v" }
 plot { title = "Energy (J)", seconds = 4, at = "top_right", y = {
   kinetic = function() return energy().kinetic end,
   potential = function() return energy().potential end,

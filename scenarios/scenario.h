@@ -96,7 +96,7 @@ struct Picture {
   Size size{1280, 720};
   int fps = 60;
   Theme theme = Theme::light;
-  std::vector<Layer> layers{Layer::bodies};
+  std::vector<Layer> layers{Layer::bodies, Layer::joints, Layer::trails, Layer::vectors, Layer::labels};
   std::vector<CameraMove> camera;
   std::vector<Caption> captions;
   std::vector<Label> labels;

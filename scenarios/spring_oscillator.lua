@@ -1,8 +1,8 @@
 -- One mass, one spring: the textbook's cosine, and two lighter companions that swing faster.
 scenario {
-  title = "Mass on a spring", duration = 8, rate = 960, gravity = {0, 0}, view = { center = {0.9, 0}, height = 4.2 },
+  title = "Mass on a spring", duration = 8, rate = 960, gravity = {0, 0}, view = { center = {-0.25, 0}, height = 4.2 },
   description = "Harmonic oscillators of 4, 1 and 0.25 kg on equal springs, beside the cosine.",
-  golden = { frames = { 0, 60, 240 } }, layers = { "bodies", "joints", "vectors", "labels" },
+  golden = { frames = { 0, 37, 200 } }, layers = { "bodies", "joints", "vectors", "labels" },
 }
 
 local k, x0 = 40, 0.7

@@ -1,6 +1,6 @@
 -- A chain of light links and a ball three hundred times as heavy as one of them.
 scenario {
-  title = "Wrecking ball", duration = 6, view = { center = {1.2, 3.7}, height = 9.2 },
+  title = "Wrecking ball", duration = 6, view = { center = {-0.4, 4}, height = 10.4 },
   description = "A heavy ball on a light chain knocks a wall down; the chain's joints do not open.",
   golden = { frames = { 0, 84, 100, 359 } }, layers = { "bodies", "joints" },
 }

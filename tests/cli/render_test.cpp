@@ -141,7 +141,14 @@ TEST_CASE("Values that make no sense exit with 2 and leave no file", "[cli]") {
   for (const auto& entry : fs::directory_iterator(c.path())) REQUIRE(fs::is_directory(entry));
 }
 
-TEST_CASE("An unwritable place, a full disk and a GL that is not there are errors of the environment", "[cli]") {
+TEST_CASE("A film of a single tick has one frame", "[cli]") {
+  const Collection c;
+  c.write("blink", "scenario { duration = 0.005, size = {16, 16} }\n");
+  REQUIRE(c.run({"render", "blink", "-o", "a.mp4"}).status == 0);
+  REQUIRE(decode_film(c / "a.mp4").frames.size() == 1);
+}
+
+TEST_CASE("An unwritable place and a full disk are errors of the environment", "[cli]") {
   const BallCollection c;
   REQUIRE(c.render({"-o", "none/a.mp4"}).status == 3);
   fs::create_symlink("/dev/full", c / "full.png");

@@ -44,6 +44,14 @@ TEST_CASE("run --json prints one object with the documented keys", "[cli]") {
   REQUIRE(json.at("wall_s").get<double>() >= 0);
 }
 
+TEST_CASE("A file name that is not UTF-8 does not spoil the JSON", "[cli]") {
+  const Collection c;
+  c.write("caf\xe9", falling_ball());
+  const Outcome o = c.run({"run", "caf\xe9", "--json"});
+  REQUIRE(o.status == 0);
+  REQUIRE(Json::parse(o.out).at("ticks") == 120);
+}
+
 TEST_CASE("The same run gives the same hashes, another scene gives others", "[cli]") {
   const Collection c;
   c.write("ball", falling_ball());

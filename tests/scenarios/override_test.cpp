@@ -27,7 +27,9 @@ TEST_CASE("Overrides replace what scenario{} says") {
   CHECK(with("size", "640x480")->picture.size == Size{640, 480});
   CHECK(with("size", "{640, 480}")->picture.size == Size{640, 480});
   CHECK(with("title", "another one")->title == "another one");
-  CHECK(with("layers", "{bodies, bvh}")->picture.layers == std::vector{Layer::bodies, Layer::bvh});
+  // Marks (trails, vectors, labels) are shown whenever a script sets them.
+  CHECK(with("layers", "{bodies, bvh}")->picture.layers ==
+        std::vector{Layer::trails, Layer::vectors, Layer::labels, Layer::bodies, Layer::bvh});
   CHECK(with("effects", "{gravity}")->scene.effects->has(Effect::gravity));
   CHECK_FALSE(with("effects", "auto")->scene.effects);
   CHECK(with("golden.frames", "{0, 10}")->golden->frames == std::vector<std::int64_t>{0, 10});
