@@ -10,11 +10,6 @@ real pair_length(const Shape& a, const Shape& b) {
   return b.hull.thickness > 0 ? std::min(a.hull.thickness, b.hull.thickness) : a.hull.thickness;
 }
 
-bool filters_agree(const FilterDef& a, const FilterDef& b) {
-  if (a.group == b.group && a.group < 0) return false;
-  return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
-}
-
 void BroadPhase::add(ShapeIndex index, Shape& shape, const Aabb& box) {
   shape.proxy = tree_.insert(box, index);
   moved_.push_back(index);

@@ -62,8 +62,5 @@ class BroadPhase {
   std::unordered_set<std::uint64_t> known_;  ///< asked, never iterated: its order does not matter
 };
 
-/// Whether two bodies may meet at all, by group, category and mask.
-bool filters_agree(const FilterDef& a, const FilterDef& b);
-
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

@@ -1,11 +1,19 @@
 #include "engine/effects.h"
 
+#include <algorithm>
+
 namespace proofreel {
 
 void EffectCensus::add(const BodyDef& body) {
   if (body.shapes.empty()) return;
-  ++bodies_with_shapes_;
-  dynamic_shape_ |= body.type == BodyType::dynamic;
+  const bool dynamic = body.type == BodyType::dynamic;
+  const auto is_alike = [&](const MeetingClass& c) { return c.dynamic == dynamic && c.filter == body.filter; };
+  const auto known = std::find_if(classes_.begin(), classes_.end(), is_alike);
+  if (known == classes_.end()) {
+    classes_.push_back({body.filter, dynamic, 1});
+  } else {
+    ++known->bodies;
+  }
   sensor_ |= body.sensor;
   for (const ShapeDef& shape : body.shapes) {
     friction_ |= shape.friction.at_rest > 0 || shape.friction.sliding > 0;
@@ -15,12 +23,23 @@ void EffectCensus::add(const BodyDef& body) {
 
 void EffectCensus::add(const JointDef& joint) { (joint.kind == JointKind::spring ? spring_ : rigid_joint_) = true; }
 
+bool EffectCensus::anything_meets() const {
+  for (std::size_t i = 0; i < classes_.size(); ++i) {
+    for (std::size_t j = i; j < classes_.size(); ++j) {
+      const bool moves = classes_[i].dynamic || classes_[j].dynamic;
+      const bool two_bodies = i != j || classes_[i].bodies > 1;
+      if (moves && two_bodies && filters_agree(classes_[i].filter, classes_[j].filter)) return true;
+    }
+  }
+  return false;
+}
+
 EffectSet EffectCensus::inferred() const {
   EffectSet set;
   const auto add_if = [&set](bool called_for, Effect effect) {
     if (called_for) set.add(effect);
   };
-  const bool contacts = dynamic_shape_ && bodies_with_shapes_ > 1;
+  const bool contacts = anything_meets();
   add_if(!(gravity_ == Vec2d{}), Effect::gravity);
   add_if(spring_, Effect::springs);
   add_if(contacts, Effect::contacts);

@@ -2,6 +2,8 @@
 
 /// Which effects a scene calls for. A scene pays only for what is on.
 
+#include <vector>
+
 #include "engine/scene.h"
 
 namespace proofreel {
@@ -16,9 +18,16 @@ class EffectCensus {
   EffectSet inferred() const;
 
  private:
+  /// Bodies that meet the same others; most scenes have very few of these.
+  struct MeetingClass {
+    FilterDef filter;
+    bool dynamic = false;
+    int bodies = 0;
+  };
+  bool anything_meets() const;
+
   Vec2d gravity_;
-  int bodies_with_shapes_ = 0;
-  bool dynamic_shape_ = false;
+  std::vector<MeetingClass> classes_;
   bool friction_ = false;
   bool restitution_ = false;
   bool sensor_ = false;

@@ -49,7 +49,14 @@ struct FilterDef {
   std::int32_t group = 0;
   std::uint64_t category = 1;
   std::uint64_t mask = ~std::uint64_t{0};
+  friend bool operator==(const FilterDef&, const FilterDef&) = default;
 };
+
+/// Whether two bodies may meet at all.
+inline bool filters_agree(const FilterDef& a, const FilterDef& b) {
+  if (a.group == b.group && a.group < 0) return false;
+  return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
 
 struct BodyDef {
   std::string name;

@@ -137,6 +137,7 @@ void World::execute(const ChangeBody& change) {
   BodyDef def;
   def.type = body.type;
   def.sensor = body.sensor;
+  def.filter = body.filter;
   def.shapes = body.defs;
   census_.add(def);
 }

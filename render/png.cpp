@@ -77,7 +77,7 @@ void check(int status, const std::string& name) {
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
   // Level and filter by measurement on drawn frames: flat areas compress best when no row is filtered, and level 6
-  // takes a third of the time of level 9 for 2 % more bytes.
+  // takes a third of the time of level 9 for 13 % more bytes.
   stbi_write_png_compression_level = 6;
   stbi_write_force_png_filter = 0;
   return opaque(image) ? encode(image, without_alpha(image).data(), 3) : encode(image, image.rgba.data(), 4);

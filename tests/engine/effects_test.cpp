@@ -46,6 +46,16 @@ TEST_CASE("Bodies that nothing moves never call for contacts", "[effects]") {
   CHECK_FALSE(effects_of(scene).has(Effect::contacts));
 }
 
+TEST_CASE("Bodies whose filters keep them apart call for no contacts", "[effects]") {
+  Scene scene = falling_disc();
+  scene.bodies.push_back(falling_disc().bodies[0]);
+  CHECK(effects_of(scene).has(Effect::contacts));
+  scene.bodies[0].filter.group = scene.bodies[1].filter.group = -1;
+  CHECK_FALSE(effects_of(scene).has(Effect::contacts));
+  scene.bodies.push_back(floor_body());
+  CHECK(effects_of(scene).has(Effect::contacts));
+}
+
 TEST_CASE("Springs and rigid joints are told apart", "[effects]") {
   Scene scene = falling_disc();
   scene.joints = {joint_between(JointKind::spring, BodyId::world, {0, 0}, BodyId{1}, {0, 0}, 1)};
