@@ -28,9 +28,10 @@ struct Pair {
 /// When point `k` closes its gap: the first root of s + v t + a t^2 / 2. Nothing if it does not within `h`, or too
 /// gently to bounce.
 bool time_of_impact(const Pair& pair, int k, real h, real resting_speed, real& t) {
-  const real s = pair.separation(k);
   const real v = pair.approach(k, 0);
   const real a = dot(pair.acceleration, pair.c.normal);
+  if (std::min(v, v + a * h) >= -resting_speed) return false;  // most pairs, most of the time
+  const real s = pair.separation(k);
   t = 0;
   if (s > 0) {
     const real discriminant = v * v - 2 * a * s;
