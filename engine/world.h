@@ -64,6 +64,7 @@ class World final : public Simulation {
   void add_body(const BodyDef& def);
   void add_joint(const JointDef& def);
   void reshape(BodyIndex index, Vec2d origin);
+  void move_center(BodyIndex index, Vec2 way);
   void remove_shapes(BodyIndex index);
   void drop_contacts_of(BodyIndex index);
 

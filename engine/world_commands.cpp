@@ -39,11 +39,11 @@ void World::add_body(const BodyDef& def) {
   body.given_inertia = def.inertia;
   motion.angle = static_cast<real>(def.angle);
   motion.rotation = Rot(Rotd(def.angle));
+  reshape(index, def.position);
   if (def.type != BodyType::fixed) {
     motion.velocity = Vec2(def.velocity);
     motion.spin = static_cast<real>(def.spin);
   }
-  reshape(index, def.position);
   census_.add(def);
 }
 
@@ -59,7 +59,7 @@ void World::reshape(BodyIndex index, Vec2d origin) {
   const MassProperties mass = mass_of(def);
   body.mass = static_cast<real>(mass.mass);
   body.inertia = static_cast<real>(mass.inertia);
-  body.local_center = Vec2(mass.center);
+  move_center(index, Vec2(mass.center) - body.local_center);
   body.center = Vec2(origin + rotate(Rotd(motion.rotation), mass.center));
   motion.inv_mass = static_cast<real>(inverse_or_zero(mass.mass));
   motion.inv_inertia = body.fixed_rotation ? real(0) : static_cast<real>(inverse_or_zero(mass.inertia));
@@ -78,6 +78,18 @@ void World::reshape(BodyIndex index, Vec2d origin) {
     body.shapes.push_back(shape_index);
   }
   structure_changed_ = true;
+}
+
+/// Anchors and velocity are told relative to the centre of mass: when that moves within the body, they are told anew,
+/// so that joints hold where they held and every point of the body goes on as before.
+void World::move_center(BodyIndex index, Vec2 way) {
+  bodies_[index].local_center += way;
+  Motion& motion = motions_[index];
+  motion.velocity += cross(motion.spin, rotate(motion.rotation, way));
+  for (Joint& joint : joints_) {
+    if (joint.body_a == index) joint.local_a -= way;
+    if (joint.body_b == index) joint.local_b -= way;
+  }
 }
 
 void World::remove_shapes(BodyIndex index) {
@@ -123,17 +135,17 @@ void World::execute(const ChangeBody& change) {
   body.sensor = change.sensor.value_or(body.sensor);
   if (change.filter) body.filter = *change.filter;
   if (change.color) body.color = change.color;
+  const bool same_body = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
+                         !change.restitution && !change.density && !change.mass && !change.inertia &&
+                         !change.fixed_rotation && !change.sensor && !change.filter;
+  if (!same_body) reshape(index, origin);
   if (change.velocity) motion.velocity = Vec2(*change.velocity);
   if (change.spin) motion.spin = static_cast<real>(*change.spin);
   if (body.type == BodyType::fixed) {
     motion.velocity = {};
     motion.spin = 0;
   }
-  const bool only_motion = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
-                           !change.restitution && !change.density && !change.mass && !change.inertia &&
-                           !change.fixed_rotation && !change.sensor && !change.filter;
-  if (only_motion) return;
-  reshape(index, origin);
+  if (same_body) return;
   BodyDef def;
   def.type = body.type;
   def.sensor = body.sensor;

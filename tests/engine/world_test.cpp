@@ -433,6 +433,26 @@ TEST_CASE("Changing a body keeps what the change does not name", "[world]") {
   CHECK(simulation->body(BodyId{1}).velocity == Vec2d{0, 0});
 }
 
+TEST_CASE("A new shape moves the centre of mass and leaves joints and motion where they were", "[world]") {
+  Scene scene;
+  scene.gravity = {0, 0};
+  scene.bodies = {body_with(disc_shape(0.2), {1, 0})};
+  scene.joints = {joint_between(JointKind::revolute, BodyId::world, {0, 0}, BodyId{1}, {-1, 0})};
+  scene.bodies[0].velocity = {0, 2};
+  scene.bodies[0].spin = 2;  // turns about the hinge
+  auto simulation = simulate(scene);
+  ChangeBody change;
+  change.body = BodyId{1};
+  ShapeDef off_centre = box_shape(0.4, 0.2);
+  for (Vec2d& p : off_centre.points) p.x += 0.5;
+  change.shapes = std::vector{off_centre};
+  simulation->apply(change);
+  CHECK(simulation->joint(JointId{0}).gap < pick(1e-14, 1e-6));
+  CHECK(simulation->body(BodyId{1}).center.x == Approx(1.5));
+  CHECK(simulation->body(BodyId{1}).velocity.y == Approx(3));  // 1.5 m from the hinge at 2 rad/s
+  CHECK(simulation->body(BodyId{1}).position == Vec2d{1, 0});
+}
+
 TEST_CASE("A number that is not finite stops the simulation and names tick, body and stage", "[world]") {
   Scene scene;
   scene.bodies = {body_with(disc_shape(0.1), {1, 0})};
