@@ -27,25 +27,34 @@ void refuse_in_ci() {
   throw UsageError("bless does not run with CI=true: references are accepted by somebody who has looked at them.");
 }
 
+/// A reference must follow from what lies in the repository.
+void refuse_overrides(const std::vector<Override>& overrides) {
+  if (overrides.empty()) return;
+  throw UsageError("bless takes no --set: a reference must follow from the scenario's file alone. Change the file.");
+}
+
 void report(const BlessResult& result, bool quiet) {
   if (!quiet) say_all(result.warnings);
   for (const std::string& change : result.changes) std::cout << result.scenario << ": " << change << "\n";
   if (result.changes.empty() && !quiet) std::cout << result.scenario << ": unchanged\n";
   std::cout << std::flush;
-  say_all(failures_of(result.scenario, result.expectations));
+  const std::vector<std::string> failures = failures_of(result.scenario, result.expectations);
+  say_all(failures);
+  if (!failures.empty()) say(result.scenario + ": the references are written, but check will fail until this holds");
 }
 
 bool all_hold(const BlessResult& result) { return failures_of(result.scenario, result.expectations).empty(); }
 
 int bless(const Options& options) {
   refuse_in_ci();
+  refuse_overrides(options.common.overrides());
   note_interrupts();
   Pictures pictures(gl_backend_named(options.common.gl));
   bool all_held = true;
   for (const std::string& file : files_meant(options.scenarios)) {
     stop_if_interrupted();
     const GoldenStore store = store_for(file, options.golden);
-    const BlessResult result = bless_scenario(file, options.common.overrides(), store, pictures, options.prune);
+    const BlessResult result = bless_scenario(file, {}, store, pictures, options.prune);
     report(result, options.common.quiet);
     all_held = all_held && all_hold(result);
   }
@@ -56,7 +65,7 @@ int bless(const Options& options) {
 
 Subcommand bless_command(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* app = add_command(program, "bless", "Accept what is rendered now as golden", "proofreel bless hard/stack",
+  CLI::App* app = add_command(program, "bless", "Accept what is rendered now as golden", "proofreel bless pyramid",
                               options->common);
   app->add_option("SCENARIO", options->scenarios, "Files, ids or folders; the whole collection when none is given");
   app->add_option("--golden", options->golden, "The store, instead of the nearest folder `golden`")->type_name("DIR");

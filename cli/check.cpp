@@ -150,7 +150,7 @@ int check(const Options& options) {
 Subcommand check_command(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* app = add_command(program, "check", "Hold scenarios against their golden states and pictures",
-                              "proofreel check hard/stack --json", options->common);
+                              "proofreel check pyramid --json", options->common);
   app->add_option("SCENARIO", options->scenarios, "Files, ids or folders; the whole collection when none is given");
   app->add_option("--golden", options->golden, "The store, instead of the nearest folder `golden`")->type_name("DIR");
   app->add_flag("--hash-only", options->hash_only, "Compare states only, draw nothing");

@@ -45,7 +45,7 @@ int list(const Options& options) {
 Subcommand list_command(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* app = add_command(program, "list", "Scenarios with title, duration, bodies and effects",
-                              "proofreel list scenarios/hard", options->common);
+                              "proofreel list scenarios", options->common);
   app->add_option("DIR", options->folder, "Folder to look in, instead of the collection");
   return {app, [options] { return list(*options); }};
 }

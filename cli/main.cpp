@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
                    "proofreel");
   program.set_version_flag("--version", PROOFREEL_VERSION);
   program.footer(
-      "Example: proofreel render hard/stack -o stack.mp4\n"
+      "Example: proofreel render pyramid -o pyramid.mp4\n"
       "Exit status: 0 good, 1 a check or expectation failed, 2 wrong use or a bad scenario, 3 the environment");
   program.require_subcommand(1);
   const std::vector<Subcommand> commands = add_commands(program);

@@ -87,8 +87,8 @@ Subcommand render_command(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* app =
       add_command(program, "render", "Film a scenario, or take a picture of it",
-                  "proofreel render hard/stack -o stack.mp4 --size 1920x1080 --layers +contacts", options->common);
-  app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as hard/stack")->required();
+                  "proofreel render pyramid -o pyramid.mp4 --size 1920x1080 --layers +contacts", options->common);
+  app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as pyramid")->required();
   app->add_option("-o,--output", options->out,
                   "NAME.png (one picture), NAME%04d.png (one per frame), .mp4, .mkv, .hash, or - for raw RGBA")
       ->required()

@@ -49,7 +49,7 @@ Subcommand run_command(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* app = add_command(program, "run", "Step a scenario without drawing; measures, expectations, hashes",
                               "proofreel run pendulum --json --csv pendulum.csv", options->common);
-  app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as hard/stack")->required();
+  app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as pyramid")->required();
   app->add_option("--csv", options->csv, "Write time and measures of every sample to this file")->type_name("FILE");
   app->add_flag("--json", options->json, "Print one JSON object instead of text");
   refuse_not_built(*app, {"--peer", "--save", "--resume"});

@@ -53,6 +53,7 @@ struct Body {
   Vec2 acceleration;  ///< from gravity and `force`, constant during a tick
   real angular_acceleration = 0;
   Vec2 velocity_before;  ///< at the start of the last tick
+  real angle_before = 0;
   FilterDef filter;
   std::optional<std::uint32_t> color;
   std::vector<std::uint32_t> shapes;  ///< indices of its shapes

@@ -14,7 +14,8 @@ bool usable(double x) { return std::isfinite(x) && std::abs(x) <= largest_size; 
 bool usable(Vec2d v) { return usable(v.x) && usable(v.y); }
 
 std::optional<std::string> problem_with_coefficients(const ShapeDef& shape) {
-  if (!(shape.density > 0) || !usable(shape.density)) return "its density must be a positive number (kg/m^2)";
+  if (!(shape.density > 0) || !usable(shape.density))
+    return "its density must be a number above 0 and up to 1e9 kg/m^2";
   for (const double mu : {shape.friction.at_rest, shape.friction.sliding}) {
     if (!(mu >= 0) || !usable(mu)) return "its friction must be a number not below 0";
   }
@@ -28,7 +29,7 @@ std::optional<std::string> problem_with_outline(const ShapeDef& shape) {
   for (const Vec2d p : shape.points) {
     if (!usable(p)) return "its shape has a coordinate that is not a number below 1e9 m; give finite coordinates";
   }
-  if (!(shape.radius >= 0) || !usable(shape.radius)) return "its radius must be a number not below 0 (m)";
+  if (!(shape.radius >= 0) || !usable(shape.radius)) return "its radius must be a number from 0 to 1e9 m";
   if (shape.points.empty()) return "its shape has no points";
   if (shape.points.size() == 1 && shape.radius <= 0) return "its circle needs a radius above 0 (m)";
   if (shape.points.size() == 2 && shape.points[0] == shape.points[1]) {
@@ -50,9 +51,10 @@ std::optional<std::string> problem_with_motion(const BodyDef& body) {
 }
 
 std::optional<std::string> problem_with_mass(const BodyDef& body) {
-  if (body.mass && (!(*body.mass > 0) || !usable(*body.mass))) return "its mass must be a positive number (kg)";
+  if (body.mass && (!(*body.mass > 0) || !usable(*body.mass)))
+    return "its mass must be a number above 0 and up to 1e9 kg";
   if (body.inertia && (!(*body.inertia > 0) || !usable(*body.inertia))) {
-    return "its inertia must be a positive number (kg m^2)";
+    return "its inertia must be a number above 0 and up to 1e9 kg m^2";
   }
   if (body.type != BodyType::dynamic) return std::nullopt;
   const MassProperties mass = mass_of(body);

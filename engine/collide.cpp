@@ -5,6 +5,13 @@
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
+
+real deepest(const Manifold& m) {
+  real least = std::numeric_limits<real>::max();
+  for (int i = 0; i < m.count; ++i) least = std::min(least, m.points[i].separation);
+  return least;
+}
+
 namespace {
 
 /// Everything below happens in A's frame: B's hull is brought there first.
@@ -143,12 +150,6 @@ Manifold clip(const Hull& ref, int ref_face, const Hull& inc, int inc_face, real
     if (p.separation <= margin) m.points[m.count++] = p;
   }
   return m;
-}
-
-real deepest(const Manifold& m) {
-  real least = std::numeric_limits<real>::max();
-  for (int i = 0; i < m.count; ++i) least = std::min(least, m.points[i].separation);
-  return least;
 }
 
 void flip(Manifold& m) { m.normal = -m.normal; }

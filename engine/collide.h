@@ -23,6 +23,9 @@ struct Manifold {
   int count = 0;
 };
 
+/// The least separation of all points; the largest number there is for a manifold without points.
+real deepest(const Manifold& m);
+
 /// Points farther apart than `margin` are left out. The poses are those of the centres of mass. All is computed in A's
 /// frame, so that nothing is lost far from the origin.
 Manifold collide(const Hull& a, const Pose& pose_a, const Hull& b, const Pose& pose_b, real margin);

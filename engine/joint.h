@@ -18,6 +18,7 @@ struct Joint {
   Vec2 local_a;  ///< anchors in the bodies' axes, from their centres of mass
   Vec2 local_b;
   real length = 0;
+  real size = 1;  ///< what its errors are measured by, m
   real stiffness = 0;
   real damping = 0;
   Vec2 impulse;       ///< on b, N s over the tick so far
@@ -30,8 +31,7 @@ inline int row_count(const Joint& joint) {
   return joint.kind == JointKind::revolute ? 2 : joint.kind == JointKind::distance ? 1 : 0;
 }
 
-/// From anchor a to anchor b, world axes, with the arms from the centres of mass. `way` is added to the bodies' own
-/// motion.
+/// From anchor a to anchor b, world axes, with the arms from the centres of mass.
 struct AnchorGap {
   Vec2 arm_a;
   Vec2 arm_b;

@@ -15,12 +15,9 @@ constexpr int max_newton_steps = 12;
 constexpr real good_enough = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-5);
 /// Where joints contradict each other, nearly singular rows would ask for any impulse to win the last nanometre. So
 /// much give, relative to the row's own mass, keeps them finite; what it leaves open the next Newton step closes.
-constexpr real compliance = sizeof(real) == sizeof(double) ? real(1e-6) : real(1e-6);
+constexpr real compliance = real(1e-6);
 /// A joint that starts torn is closed at this many times its own size per second, gently instead of within one substep.
 constexpr real closing_rate = 4;
-
-/// The length a joint's errors are measured by.
-real size_of(const Joint& joint) { return length(joint.local_a) + length(joint.local_b) + joint.length; }
 
 }  // namespace
 
@@ -31,7 +28,8 @@ std::vector<std::uint32_t> JointSolver::ordered_joints(const std::vector<Joint>&
   std::vector<std::vector<std::uint32_t>> at_body(motions.size());
   std::vector<std::uint32_t> rigid;
   for (std::uint32_t i = 0; i < joints.size(); ++i) {
-    if (!joints[i].alive || !is_rigid(joints[i])) continue;
+    const bool movable = motions[joints[i].body_a].inv_mass > 0 || motions[joints[i].body_b].inv_mass > 0;
+    if (!joints[i].alive || !is_rigid(joints[i]) || !movable) continue;
     rigid.push_back(i);
     for (const BodyIndex body : {joints[i].body_a, joints[i].body_b}) {
       if (motions[body].inv_mass > 0) at_body[body].push_back(i);
@@ -148,7 +146,7 @@ void JointSolver::set_goals(const std::vector<Joint>& joints, const std::vector<
   for (Row& row : rows_) {
     const Joint& joint = joints[row.joint];
     const real now = row_violation(row, joint, anchor_gap(joint, bodies, motions).gap);
-    const real most = closing_rate * size_of(joint) * h;
+    const real most = closing_rate * joint.size * h;
     row.goal = std::abs(now) > most ? now - std::copysign(most, now) : 0;
   }
 }
@@ -169,7 +167,7 @@ real JointSolver::predict(const std::vector<Joint>& joints, const std::vector<Bo
     const Vec2 gap = centers + (rotate(b.rotation, joint.local_b) - rotate(a.rotation, joint.local_a));
     const real miss = row_violation(row, joint, gap) - row.goal;
     right_side_[r] = -miss / h;
-    worst = std::max(worst, std::abs(miss) / std::max(size_of(joint), std::numeric_limits<real>::min()));
+    worst = std::max(worst, std::abs(miss) / joint.size);
   }
   return worst;
 }
@@ -209,7 +207,7 @@ void JointSolver::solve_positions(std::vector<Joint>& joints, const std::vector<
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Joint& joint = joints[rows_[r].joint];
     const real open = row_violation(rows_[r], joint, anchor_gap(joint, bodies, motions).gap);
-    const real most = closing_rate * size_of(joint);
+    const real most = closing_rate * joint.size;
     right_side_[r] = -row_speed(rows_[r], motions) - std::clamp(real(0.1) * open / h, -most, most);
   }
   matrix_.solve(right_side_);

@@ -70,7 +70,7 @@ struct BodyDef {
   std::optional<double> inertia;  ///< kg m^2 about the centre of mass; without it, from the shapes, scaled to `mass`
   double gravity_scale = 1;
   bool fixed_rotation = false;
-  bool bullet = false;  ///< never passes through anything in one tick, however fast
+  bool bullet = false;  ///< looks ahead for what it meets within a tick, moving bodies included
   bool sensor = false;  ///< reports contacts but pushes nothing
   FilterDef filter;
   std::optional<std::uint32_t> color;  ///< 0xRRGGBB; without it, by body type

@@ -57,7 +57,7 @@ struct ShapeView {
 
 struct ContactPoint {
   Vec2d point;                 ///< world, midway between the two surfaces
-  double separation = 0;       ///< m, negative on overlap
+  double separation = 0;       ///< m at the start of the last tick, negative on overlap
   double normal_impulse = 0;   ///< N s over the last tick
   double tangent_impulse = 0;  ///< N s over the last tick, along the normal turned a quarter counter-clockwise
   bool touching() const { return separation <= 0 || normal_impulse > 0; }

@@ -71,6 +71,9 @@ void World::begin_tick() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];
     body.velocity_before = motions_[i].velocity;
+    body.angle_before = motions_[i].angle;
+    body.acceleration = {};
+    body.angular_acceleration = 0;
     if (body.type != BodyType::dynamic) continue;
     body.acceleration = motions_[i].inv_mass * body.force;
     body.acceleration += body.gravity_scale * effective_gravity();
@@ -110,8 +113,11 @@ void World::update_boxes() {
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     if (!shape.alive || bodies_[shape.body].type == BodyType::fixed) continue;
-    const Pose pose = center_pose(shape.body);
-    broad_phase_.move(i, shape, bounds(shape.hull, pose), dt_ * motions_[shape.body].velocity);
+    const Motion& motion = motions_[shape.body];
+    const real turn =
+        std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
+    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach);
+    broad_phase_.move(i, shape, box, dt_ * motion.velocity);
   }
 }
 
@@ -192,9 +198,8 @@ void World::end_tick() {
 /// pushed.
 void World::book_work() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-    const Vec2 mean_velocity = real(0.5) * (bodies_[i].velocity_before + motions_[i].velocity);
-    booked_work_ +=
-        static_cast<double>(dt_ * (dot(bodies_[i].force, mean_velocity) + bodies_[i].torque * motions_[i].spin));
+    const real turned_by = motions_[i].angle - bodies_[i].angle_before;
+    booked_work_ += static_cast<double>(dot(bodies_[i].force, motions_[i].delta) + bodies_[i].torque * turned_by);
   }
   const auto book = [this](BodyIndex pusher, Vec2 impulse, Vec2 arm) {
     if (bodies_[pusher].type != BodyType::kinematic) return;

@@ -63,8 +63,10 @@ class World final : public Simulation {
   void execute(const RemoveJoint& command);
   void add_body(const BodyDef& def);
   void add_joint(const JointDef& def);
+  real size_of(const Joint& joint) const;
   void reshape(BodyIndex index, Vec2d origin);
   void move_center(BodyIndex index, Vec2 way);
+  void make_room_for_shapes(BodyIndex index);
   void remove_shapes(BodyIndex index);
   void drop_contacts_of(BodyIndex index);
 

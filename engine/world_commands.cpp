@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 
 #include "engine/mass.h"
 #include "engine/world.h"
@@ -63,19 +62,20 @@ void World::reshape(BodyIndex index, Vec2d origin) {
   body.center = Vec2(origin + rotate(Rotd(motion.rotation), mass.center));
   motion.inv_mass = static_cast<real>(inverse_or_zero(mass.mass));
   motion.inv_inertia = body.fixed_rotation ? real(0) : static_cast<real>(inverse_or_zero(mass.inertia));
-  remove_shapes(index);
-  for (const ShapeDef& shape_def : body.defs) {
-    Shape shape;
+  make_room_for_shapes(index);
+  for (std::size_t i = 0; i < body.defs.size(); ++i) {
+    const ShapeDef& shape_def = body.defs[i];
+    Shape& shape = shapes_[body.shapes[i]];
     shape.hull = make_hull(shape_def, mass.center);
-    shape.body = index;
     shape.friction_at_rest = static_cast<real>(shape_def.friction.at_rest);
     shape.friction_sliding = static_cast<real>(shape_def.friction.sliding);
     shape.restitution = static_cast<real>(shape_def.restitution);
     shape.reach = reach(shape.hull);
-    const auto shape_index = static_cast<ShapeIndex>(shapes_.size());
-    if (has_broad_phase_) broad_phase_.add(shape_index, shape, bounds(shape.hull, center_pose(index)));
-    shapes_.push_back(shape);
-    body.shapes.push_back(shape_index);
+    if (has_broad_phase_) broad_phase_.add(body.shapes[i], shape, bounds(shape.hull, center_pose(index)));
+  }
+  for (Contact& contact : contacts_) {
+    if (contact.body_a != index && contact.body_b != index) continue;
+    mix_materials(contact, shapes_[contact.shape_a], shapes_[contact.shape_b]);
   }
   structure_changed_ = true;
 }
@@ -89,6 +89,23 @@ void World::move_center(BodyIndex index, Vec2 way) {
   for (Joint& joint : joints_) {
     if (joint.body_a == index) joint.local_a -= way;
     if (joint.body_b == index) joint.local_b -= way;
+  }
+}
+
+/// As many shapes as there are definitions, out of the broad phase. The same number as before stays the same shapes, so
+/// that their contacts live on.
+void World::make_room_for_shapes(BodyIndex index) {
+  Body& body = bodies_[index];
+  if (body.shapes.size() == body.defs.size()) {
+    for (const ShapeIndex i : body.shapes) {
+      if (has_broad_phase_) broad_phase_.remove(i, shapes_[i]);
+    }
+    return;
+  }
+  remove_shapes(index);
+  for (std::size_t i = 0; i < body.defs.size(); ++i) {
+    body.shapes.push_back(static_cast<ShapeIndex>(shapes_.size()));
+    shapes_.emplace_back().body = index;
   }
 }
 
@@ -138,6 +155,7 @@ void World::execute(const ChangeBody& change) {
   const bool same_body = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
                          !change.restitution && !change.density && !change.mass && !change.inertia &&
                          !change.fixed_rotation && !change.sensor && !change.filter;
+  if (change.shapes || change.type || change.sensor || change.filter) drop_contacts_of(index);
   if (!same_body) reshape(index, origin);
   if (change.velocity) motion.velocity = Vec2(*change.velocity);
   if (change.spin) motion.spin = static_cast<real>(*change.spin);
@@ -145,7 +163,8 @@ void World::execute(const ChangeBody& change) {
     motion.velocity = {};
     motion.spin = 0;
   }
-  if (same_body) return;
+  if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.sensor && !change.filter)
+    return;
   BodyDef def;
   def.type = body.type;
   def.sensor = body.sensor;
@@ -188,6 +207,16 @@ void World::execute(const ApplyTorque& command) {
   bodies_[index_of(command.body)].torque += static_cast<real>(command.torque);
 }
 
+/// What a joint's errors are measured by: its own length, or where it has none that of the bodies it holds.
+real World::size_of(const Joint& joint) const {
+  real size = length(joint.local_a) + length(joint.local_b) + joint.length;
+  for (const BodyIndex body : {joint.body_a, joint.body_b}) {
+    if (joint.body_a == 0 && body == 0) continue;
+    for (const ShapeIndex i : bodies_[body].shapes) size = std::max(size, real(0.1) * shapes_[i].reach);
+  }
+  return size > 0 ? size : real(1);
+}
+
 void World::add_joint(const JointDef& def) {
   Joint joint;
   joint.kind = def.kind;
@@ -196,6 +225,7 @@ void World::add_joint(const JointDef& def) {
   joint.local_a = Vec2(def.anchor_a) - bodies_[joint.body_a].local_center;
   joint.local_b = Vec2(def.anchor_b) - bodies_[joint.body_b].local_center;
   joint.length = static_cast<real>(def.length);
+  joint.size = size_of(joint);
   joint.stiffness = static_cast<real>(def.stiffness);
   joint.damping = static_cast<real>(def.damping);
   joints_.push_back(joint);

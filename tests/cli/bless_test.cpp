@@ -199,6 +199,13 @@ TEST_CASE("bless refuses with CI=true", "[golden]") {
   REQUIRE(c.run({"bless"}, {{"CI", "false"}}).status == 0);
 }
 
+TEST_CASE("bless takes no --set, because no file would say what the reference shows", "[golden]") {
+  const Collection c;
+  const Outcome o = c.run({"bless", "--set", "duration=1"});
+  REQUIRE(o.status == 2);
+  REQUIRE_THAT(o.err, Contains("--set"));
+}
+
 TEST_CASE("A golden frame beyond the film is a bad scenario", "[golden]") {
   const Collection c;
   std::string lua = falling_ball();

@@ -97,12 +97,6 @@ Manifold collide_placed(const Placed& a, const Placed& b, double margin) {
                  {Vec2(b.position), Rot(Rotd(b.angle))}, static_cast<real>(margin));
 }
 
-double deepest(const Manifold& m) {
-  double s = 1e300;
-  for (int i = 0; i < m.count; ++i) s = std::min(s, static_cast<double>(m.points[i].separation));
-  return s;
-}
-
 Placed random_placed(Random& random, double spread) {
   return {
       random_shape(random), {random.between(-spread, spread), random.between(-spread, spread)}, random.between(-4, 4)};

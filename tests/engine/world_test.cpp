@@ -272,6 +272,7 @@ TEST_CASE("A pushed body's work is booked to the last digits", "[world]") {
   const double start = simulation->energy().total();
   for (int i = 0; i < 240; ++i) {
     simulation->apply(ApplyForce{BodyId{1}, {2, 5}, std::nullopt});
+    simulation->apply(ApplyTorque{BodyId{1}, 0.5});
     if (i % 50 == 0) simulation->apply(ApplyImpulse{BodyId{1}, {-1, 0.3}, Vec2d{0.2, 3}});
     simulation->step();
   }
@@ -333,6 +334,41 @@ TEST_CASE("A thin wall stops a bullet of a kilometre per second", "[world]") {
   for (int i = 0; i < 120; ++i) {
     simulation->step();
     REQUIRE(simulation->body(BodyId{2}).position.x < 0);
+  }
+}
+
+TEST_CASE("What flies past a corner is not deflected by it, however fast and close", "[world]") {
+  const double radius = 0.05;
+  for (const double speed : {5.0, 15.0, 200.0}) {
+    for (const double clearance : {0.004, 0.05}) {
+      for (int phase = 0; phase < 20; ++phase) {
+        Scene scene;
+        scene.gravity = {0, 0};
+        const Vec2d along = normalized(Vec2d{1, -1});
+        const Vec2d nearest = Vec2d{0.5, 0.5} + (radius + clearance) * perp(along);
+        scene.bodies = {body_with(box_shape(1, 1), {0, 0}, BodyType::fixed),
+                        body_with(disc_shape(radius), nearest - (0.5 + phase * speed / 240 / 20) * along)};
+        scene.bodies[1].velocity = speed * along;
+        scene.bodies[1].shapes[0].restitution = phase % 2;
+        auto simulation = simulate(scene);
+        run(*simulation, 2 / speed + 0.02);
+        INFO("speed " << speed << ", clearance " << clearance << ", phase " << phase);
+        REQUIRE(distance(simulation->body(BodyId{2}).velocity, speed * along) < 1e-3 * speed);
+      }
+    }
+  }
+}
+
+TEST_CASE("The end of a fast turning plank does not pass through a thin post", "[world]") {
+  for (int phase = 0; phase < 10; ++phase) {
+    Scene scene;
+    scene.gravity = {0, 0};
+    scene.bodies = {body_with(box_shape(1, 0.02), {0, 0}), body_with(disc_shape(0.01), {0, 0.47}, BodyType::fixed)};
+    scene.bodies[0].spin = 60;
+    scene.bodies[0].angle = 0.02 * phase;
+    auto simulation = simulate(scene);
+    run(*simulation, 0.05);
+    CHECK(simulation->body(BodyId{1}).spin < 50);
   }
 }
 
@@ -431,6 +467,33 @@ TEST_CASE("Changing a body keeps what the change does not name", "[world]") {
   change.type = BodyType::fixed;
   simulation->apply(change);
   CHECK(simulation->body(BodyId{1}).velocity == Vec2d{0, 0});
+}
+
+TEST_CASE("A change of material does not make resting bodies meet anew", "[world]") {
+  auto simulation = simulate(with_floor(body_with(box_shape(1, 1), {0, 0.5})));
+  run(*simulation, 2);
+  ChangeBody change;
+  change.body = BodyId{2};
+  change.friction = FrictionDef{0.2, 0.1};
+  simulation->apply(change);
+  simulation->step();
+  CHECK(simulation->contact_events().empty());
+  CHECK(length(simulation->body(BodyId{2}).velocity) < pick(1e-9, 1e-5));
+}
+
+TEST_CASE("A body that was set static pushes nobody with the gravity it no longer feels", "[world]") {
+  Scene scene;
+  scene.bodies = {body_with(box_shape(4, 0.4), {0, 0}), body_with(disc_shape(0.2), {0, 2})};
+  scene.bodies[1].shapes[0].restitution = 1;
+  auto simulation = simulate(scene);
+  run(*simulation, 0.1);
+  ChangeBody change;
+  change.body = BodyId{1};
+  change.type = BodyType::fixed;
+  simulation->apply(change);
+  const double start = simulation->energy().total();
+  run(*simulation, 5);
+  CHECK(simulation->energy().total() == Approx(start).epsilon(pick(1e-9, 1e-3)));
 }
 
 TEST_CASE("A new shape moves the centre of mass and leaves joints and motion where they were", "[world]") {
