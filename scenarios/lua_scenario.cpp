@@ -259,6 +259,9 @@ void read_time(const Fields& fields, Scenario& scenario) {
   if (ticks < 0.5) fields.refuse("duration", "is shorter than a tick");
 }
 
+/// m/s^2. Far beyond it a body leaves the coordinates that can be computed with within a second.
+constexpr double strongest_gravity = 1e6;
+
 void read_scenario(const Fields& fields, Model& model) {
   Scenario& scenario = model.scenario;
   Picture& picture = scenario.picture;
@@ -267,6 +270,7 @@ void read_scenario(const Fields& fields, Model& model) {
   read_time(fields, scenario);
   if (const auto seed = fields.integer("seed", INT64_MIN, INT64_MAX)) scenario.seed = static_cast<std::uint64_t>(*seed);
   put(scenario.scene.gravity, fields.vector("gravity"));
+  if (length(scenario.scene.gravity) > strongest_gravity) fields.refuse("gravity", "must stay below 1e6 m/s^2");
   put(picture.size, read_size(fields));
   if (const auto index = fields.choice("theme", theme_names)) picture.theme = static_cast<Theme>(*index);
   if (fields.has("layers")) picture.layers = read_layers(fields);

@@ -54,6 +54,7 @@ TEST_CASE("scenario{} refuses values it cannot use") {
       {"seed='a'", "seed must be a whole number"},
       {"gravity=9.81", "gravity must be a vector {x, y}, got 9.81"},
       {"gravity={0, 1/0}", "gravity must be finite"},
+      {"gravity={0, -1e200}", "gravity must stay below 1e6"},
       {"view=5", "view must be a table"},
       {"view={height=0}", "view: height must be a positive number"},
       {"size={100000, 100000}", "size must be two whole numbers between 1 and 16384"},
