@@ -9,12 +9,11 @@ namespace {
 
 b2Vec2 to_b2(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-/// Box2D keeps polygons a skin apart that it does not count to their size. Boxes smaller by the skin rest where ours
-/// do; with the full size a tall pyramid would start by pushing itself apart.
+/// Full size: shrunk by the skin Box2D keeps round polygons, a tall pyramid collapses, which would be no fair peer.
 b2PolygonShape box_of(const ShapeDef& def) {
   const b2Vec2 corner = b2Abs(to_b2(def.points[0]));
   b2PolygonShape shape;
-  shape.SetAsBox(corner.x - b2_polygonRadius, corner.y - b2_polygonRadius);
+  shape.SetAsBox(corner.x, corner.y);
   return shape;
 }
 
