@@ -51,10 +51,9 @@ int bless(const Options& options) {
   note_interrupts();
   Pictures pictures(gl_backend_named(options.common.gl));
   bool all_held = true;
-  for (const std::string& file : files_meant(options.scenarios)) {
+  for (const StoredScenario& scenario : scenarios_meant(options.scenarios, options.golden)) {
     stop_if_interrupted();
-    const GoldenStore store = store_for(file, options.golden);
-    const BlessResult result = bless_scenario(file, {}, store, pictures, options.prune);
+    const BlessResult result = bless_scenario(scenario.file, {}, scenario.store, pictures, options.prune);
     report(result, options.common.quiet);
     all_held = all_held && all_hold(result);
   }

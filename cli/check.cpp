@@ -128,9 +128,9 @@ void report(const Options& options, const CheckResult& check) {
 int check(const Options& options) {
   const CheckOne check_one = options.hash_only ? by_hashes(options) : by_pictures(options);
   Results results;
-  for (const std::string& file : files_meant(options.scenarios)) {
+  for (const StoredScenario& scenario : scenarios_meant(options.scenarios, options.golden)) {
     try {
-      results.checks.push_back(check_one(file, store_for(file, options.golden)));
+      results.checks.push_back(check_one(scenario.file, scenario.store));
       report(options, results.checks.back());
     } catch (const ScenarioError& error) {
       say(error.what());

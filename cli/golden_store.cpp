@@ -1,17 +1,14 @@
 #include "cli/golden_store.h"
 
 #include <filesystem>
+#include <map>
 
 #include "cli/scenario_files.h"
 #include "render/usage_error.h"
+#include "scenarios/source.h"
 
 namespace proofreel {
-
-GoldenStore store_for(const std::string& scenario_file, const std::string& given) {
-  if (!given.empty()) return GoldenStore(given);
-  if (const std::optional<GoldenStore> nearest = nearest_store(scenario_file)) return *nearest;
-  throw UsageError("There is no folder `golden` above " + scenario_file + ": make one, or name one with --golden DIR.");
-}
+namespace {
 
 std::vector<std::string> files_meant(const std::vector<std::string>& named) {
   if (named.empty()) return scenario_files_in(scenarios_folder());
@@ -24,6 +21,31 @@ std::vector<std::string> files_meant(const std::vector<std::string>& named) {
     }
   }
   return files;
+}
+
+}  // namespace
+
+GoldenStore store_for(const std::string& scenario_file, const std::string& given) {
+  if (!given.empty()) return GoldenStore(given);
+  if (const std::optional<GoldenStore> nearest = nearest_store(scenario_file)) return *nearest;
+  throw UsageError("There is no folder `golden` above " + scenario_file + ": make one, or name one with --golden DIR.");
+}
+
+std::vector<StoredScenario> scenarios_meant(const std::vector<std::string>& named, const std::string& given) {
+  std::vector<StoredScenario> meant;
+  std::map<std::filesystem::path, std::string> file_of_reference;
+  for (const std::string& file : files_meant(named)) {
+    const GoldenStore store = store_for(file, given);
+    const std::string id = id_of(file);
+    const auto [entry, is_new] = file_of_reference.emplace(std::filesystem::weakly_canonical(store.folder(id)), file);
+    if (is_new) {
+      meant.push_back({file, store});
+    } else if (!std::filesystem::equivalent(entry->second, file)) {
+      throw UsageError(entry->second + " and " + file + " would share the reference \"" + id +
+                       "\": rename one, or put both below a folder called `scenarios`.");
+    }
+  }
+  return meant;
 }
 
 }  // namespace proofreel

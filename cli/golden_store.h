@@ -10,7 +10,14 @@ namespace proofreel {
 /// file. Throws UsageError when there is none.
 GoldenStore store_for(const std::string& scenario_file, const std::string& given);
 
-/// The files `check` and `bless` are asked for: files, ids and folders; the whole collection when nothing is named.
-std::vector<std::string> files_meant(const std::vector<std::string>& named);
+/// A scenario file and the store it is held against.
+struct StoredScenario {
+  std::string file;
+  GoldenStore store;
+};
+
+/// What `check` and `bless` are asked for: files, ids and folders; the whole collection when nothing is named. A file
+/// named twice counts once. Throws UsageError when two files would share one reference.
+std::vector<StoredScenario> scenarios_meant(const std::vector<std::string>& named, const std::string& given);
 
 }  // namespace proofreel

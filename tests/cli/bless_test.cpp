@@ -226,5 +226,25 @@ TEST_CASE("A scenario that is not golden keeps its final state only", "[golden]"
   REQUIRE_THAT(o.out, Contains("physics"));
 }
 
+TEST_CASE("Two files that would share a reference are refused before anything is written", "[golden]") {
+  const BlessedCollection c;
+  for (const char* folder : {"one", "two"}) {
+    fs::create_directories(c / folder);
+    write_text(c / (std::string(folder) + "/ball.lua"), falling_ball());
+  }
+  const Outcome both = c.run({"bless", "one", "two"});
+  REQUIRE(both.status == 2);
+  REQUIRE_THAT(both.err, Contains("one/ball.lua") && Contains("two/ball.lua") && Contains("share the reference"));
+  REQUIRE_FALSE(fs::exists(c / "golden/images/ball"));
+  REQUIRE(c.run({"bless", "one"}).status == 0);
+}
+
+TEST_CASE("A scenario named twice is checked once", "[golden]") {
+  const BlessedCollection c;
+  const Outcome twice = c.run({"check", "hard/ball", "scenarios/hard/ball.lua", "--json"});
+  REQUIRE(twice.status == 0);
+  REQUIRE(Json::parse(twice.out).at("scenarios").size() == 1);
+}
+
 }  // namespace
 }  // namespace proofreel
