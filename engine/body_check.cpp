@@ -1,16 +1,16 @@
 // Refuses bodies that cannot be simulated, before they are.
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/mass.h"
+#include "engine/polygon.h"
 #include "engine/simulation.h"
 
 namespace proofreel {
 namespace {
 
-constexpr double largest_size = 1e9;
-
-bool usable(double x) { return std::isfinite(x) && std::abs(x) <= largest_size; }
+bool usable(double x) { return std::isfinite(x) && std::abs(x) <= max_coordinate; }
 bool usable(Vec2d v) { return usable(v.x) && usable(v.y); }
 
 std::optional<std::string> problem_with_coefficients(const ShapeDef& shape) {
@@ -25,6 +25,24 @@ std::optional<std::string> problem_with_coefficients(const ShapeDef& shape) {
   return std::nullopt;
 }
 
+/// A polygon must be listed as the collision stages want it.
+std::optional<std::string> problem_with_polygon(const std::vector<Vec2d>& corners) {
+  if (corners.size() > max_polygon_vertices) {
+    return "its polygon has " + std::to_string(corners.size()) + " corners, a convex one may have at most " +
+           std::to_string(max_polygon_vertices) + "; leave some out, or cut it with convex_parts";
+  }
+  const auto cleaned = clean_polygon(corners, "its polygon");
+  if (const auto* problem = std::get_if<std::string>(&cleaned)) return *problem;
+  const auto& outline = std::get<std::vector<Vec2d>>(cleaned);
+  if (!is_convex(outline)) return "its polygon is concave; cut it with convex_parts and make every part a shape";
+  const bool repeats = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+  if (repeats || corners.front() == corners.back() || !is_convex(corners)) {
+    return "its polygon must be listed counter-clockwise, every corner once; use the corners that clean_polygon "
+           "returns";
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> problem_with_outline(const ShapeDef& shape) {
   for (const Vec2d p : shape.points) {
     if (!usable(p)) return "its shape has a coordinate that is not a number below 1e9 m; give finite coordinates";
@@ -36,9 +54,7 @@ std::optional<std::string> problem_with_outline(const ShapeDef& shape) {
     return "the two ends of its capsule or segment are the same point; move one, or use a circle";
   }
   if (shape.points.size() < 3) return std::nullopt;
-  const auto cleaned = clean_polygon(shape.points);
-  if (const auto* problem = std::get_if<std::string>(&cleaned)) return *problem;
-  return std::nullopt;
+  return problem_with_polygon(shape.points);
 }
 
 std::optional<std::string> problem_with_motion(const BodyDef& body) {

@@ -4,12 +4,13 @@
 /// it stays valid while the body moves a little; only shapes that left their box are looked at again.
 
 #include <cstdint>
-#include <unordered_set>
+#include <memory>
 #include <vector>
 
 #include "engine/body.h"
 #include "engine/dynamic_tree.h"
-#include "engine/shape.h"
+#include "engine/pair_set.h"
+#include "engine/seam.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -18,6 +19,7 @@ using ShapeIndex = std::uint32_t;
 
 struct Shape {
   Hull hull;
+  std::shared_ptr<const Seam> seam;  ///< null: no neighbour hides anything of it
   BodyIndex body = 0;
   bool alive = true;
   real density = 1;
@@ -48,18 +50,21 @@ class BroadPhase {
   /// without those `known` already. Shapes of the same body and of two bodies that nothing moves are left out.
   std::vector<ShapePair> new_pairs(const std::vector<Shape>& shapes, const std::vector<Body>& bodies);
   /// The pair is no contact any more and may be reported again.
-  void forget(ShapePair pair) { known_.erase(key(pair)); }
+  void forget(ShapePair pair) { known_.erase(pair.a, pair.b); }
   bool boxes_overlap(const Shape& a, const Shape& b) const {
     return overlaps(tree_.aabb(a.proxy), tree_.aabb(b.proxy));
   }
   const DynamicTree& tree() const { return tree_; }
 
  private:
-  static std::uint64_t key(ShapePair p) { return static_cast<std::uint64_t>(p.a) << 32 | p.b; }
+  void mark_as_moved(ShapeIndex index);
+  void rebuild_if_worn();
 
   DynamicTree tree_;
-  std::vector<ShapeIndex> moved_;
-  std::unordered_set<std::uint64_t> known_;  ///< asked, never iterated: its order does not matter
+  std::vector<ShapeIndex> moved_;       ///< since the last call of new_pairs; the removed ones may still be listed
+  std::vector<std::uint8_t> is_moved_;  ///< by shape: whether it is one of them
+  std::size_t moves_since_rebuild_ = 0;
+  PairSet known_;
 };
 
 }  // namespace PROOFREEL_PRECISION

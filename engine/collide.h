@@ -1,34 +1,29 @@
 #pragma once
 
-/// Narrow phase (thesis chapter 4.2): where and how do two shapes touch?
+/// Narrow phase (thesis chapters 4.2 and 4.3): where and how do two shapes touch?
+///
+/// Two convex polygons are apart exactly when the normal of one of their edges separates them (the separating axis
+/// theorem). So every normal is tried: the other polygon's nearest corner along it says how far the two are apart on
+/// that axis. If one axis parts them by more than the margin, that is the end of it. Otherwise the axis of largest
+/// separation, which on overlap is the one of least penetration, carries the manifold, and clipping (clip.h) finds the
+/// points. Discs and rounded shapes are the same with a radius around them, where corners count as well as faces.
 
-#include <cstdint>
-
-#include "engine/shape.h"
+#include "engine/clip.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
-/// One point of a manifold. It stays the same one as long as the same features touch, which `feature` names.
-struct ManifoldPoint {
-  Vec2 point;           ///< midway between the surfaces, relative to A's centre of mass, in world axes
-  real separation = 0;  ///< negative on overlap
-  std::uint32_t feature = 0;
-};
-
-/// All that two convex shapes touch in: one normal and one or two points.
-struct Manifold {
-  Vec2 normal;  ///< unit, from A to B, world axes
-  ManifoldPoint points[2];
-  int count = 0;
-};
-
-/// The least separation of all points; the largest number there is for a manifold without points.
-real deepest(const Manifold& m);
-
-/// Points farther apart than `margin` are left out. The poses are those of the centres of mass. All is computed in A's
-/// frame, so that nothing is lost far from the origin.
-Manifold collide(const Hull& a, const Pose& pose_a, const Hull& b, const Pose& pose_b, real margin);
+/// The manifold of two shapes, its normal in world axes and its points relative to A's centre of mass. The poses are
+/// those of the centres of mass. Points farther apart than `margin` are left out; the corners of both shapes are
+/// metres, and so are margin and separation. All is computed in A's frame, so that nothing is lost far from the origin.
+/// Of two faces that are almost equally good (to 1e-4 of the thinner shape's thickness) A's is taken, so that a resting
+/// contact keeps its features; the depth may be off by as much.
+///
+/// Tells the observer, in A's frame, of every axis (AxisTested, separations with the radii taken off), of the one
+/// chosen (AxisChosen), of the faces (FacesChosen) and of the points (PointClipped).
+template <typename Observer = NoObserver>
+Manifold collide(const Hull& a, const Pose& pose_a, const Hull& b, const Pose& pose_b, real margin,
+                 Observer observer = {});
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

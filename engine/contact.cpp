@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/collide_smooth.h"
+
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
@@ -12,10 +14,15 @@ real approach_bound(const Motion& a, real reach_a, const Motion& b, real reach_b
   return dt * (length(b.velocity - a.velocity) + std::abs(a.spin) * reach_a + std::abs(b.spin) * reach_b);
 }
 
+Manifold narrow_phase(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin) {
+  if (a.seam == nullptr && b.seam == nullptr) return collide(a.hull, pose_a, b.hull, pose_b, margin);
+  return collide_smooth({a.hull, a.seam.get()}, pose_a, {b.hull, b.seam.get()}, pose_b, margin);
+}
+
 /// A speculative contact is a wall across the way. Before it is built, the two bodies are moved on at their present
 /// speeds until they touch, step by step as far as they can go without touching (conservative advancement, Mirtich
 /// 1996): if they pass each other there is none, and otherwise it stands where they will meet.
-Manifold predicted(const Manifold& now, const Hull& a, Pose pose_a, const Motion& ma, const Hull& b, Pose pose_b,
+Manifold predicted(const Manifold& now, const Shape& a, Pose pose_a, const Motion& ma, const Shape& b, Pose pose_b,
                    const Motion& mb, real near, real dt, real bound) {
   Manifold m = now;
   real t = 0;
@@ -27,7 +34,7 @@ Manifold predicted(const Manifold& now, const Hull& a, Pose pose_a, const Motion
     if (t > dt) return {};
     pose_a = {pose_a.position + advance * ma.velocity, turned(pose_a.rotation, advance * ma.spin)};
     pose_b = {pose_b.position + advance * mb.velocity, turned(pose_b.rotation, advance * mb.spin)};
-    m = collide(a, pose_a, b, pose_b, bound + near);
+    m = narrow_phase(a, pose_a, b, pose_b, bound + near);
     if (m.count == 0) return {};
   }
   const Vec2 a_to_b = pose_b.position - pose_a.position;
@@ -75,10 +82,10 @@ void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const s
   const PointImpulse old_impulses[2] = {contact.impulses[0], contact.impulses[1]};
   const Pose pose_a{body_a.center, ma.rotation};
   const Pose pose_b{body_b.center, mb.rotation};
-  contact.manifold = collide(a.hull, pose_a, b.hull, pose_b, margin);
+  contact.manifold = narrow_phase(a, pose_a, b, pose_b, margin);
   const real near = real(0.02) * thin;
   if (contact.manifold.count > 0 && deepest(contact.manifold) > near) {
-    contact.manifold = predicted(contact.manifold, a.hull, pose_a, ma, b.hull, pose_b, mb, near, dt, bound);
+    contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound);
   }
   carry_over(old, old_impulses, contact);
 }

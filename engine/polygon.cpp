@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "engine/double_double.h"
-#include "engine/scene.h"
-
 namespace proofreel {
 namespace {
 
-constexpr double largest_coordinate = 1e9;
 constexpr double smallest_thickness = 1e-6;  ///< over the extent
 
 /// A corner and the place the user gave it, counted from 1.
@@ -17,13 +13,6 @@ struct Corner {
   Vec2d point;
   std::size_t number = 0;
 };
-
-double precise_orientation(Vec2d a, Vec2d b, Vec2d c) {
-  const DoubleDouble left = two_sum(b.x, -a.x) * two_sum(c.y, -a.y);
-  const DoubleDouble right = two_sum(b.y, -a.y) * two_sum(c.x, -a.x);
-  const double difference = (left - right).hi;
-  return std::fabs(difference) > 0x1p-98 * std::fabs(left.hi) ? difference : 0;
-}
 
 double distance_to_segment(Vec2d p, Vec2d a, Vec2d b) {
   const Vec2d along = b - a;
@@ -43,12 +32,12 @@ std::string edge_named(const Corner& from, const Corner& to) {
 }
 
 /// The first corner whose coordinates cannot be used.
-std::optional<std::string> problem_with_coordinates(const std::vector<Vec2d>& corners) {
+std::optional<std::string> problem_with_coordinates(const std::vector<Vec2d>& corners, const std::string& name) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2d p = corners[i];
-    if (!is_finite(p)) return corner_named(i + 1) + " of the polygon is not finite: give two ordinary numbers";
-    if (std::fabs(p.x) > largest_coordinate || std::fabs(p.y) > largest_coordinate) {
-      return corner_named(i + 1) + " of the polygon has a coordinate above 1e9 m: make it smaller or move it nearer";
+    if (!is_finite(p)) return corner_named(i + 1) + " of " + name + " is not finite: give two ordinary numbers";
+    if (std::fabs(p.x) > max_coordinate || std::fabs(p.y) > max_coordinate) {
+      return corner_named(i + 1) + " of " + name + " has a coordinate above 1e9 m: make it smaller or move it nearer";
     }
   }
   return std::nullopt;
@@ -105,7 +94,7 @@ std::vector<Vec2d> points_of(const std::vector<Corner>& corners) {
 
 /// The width of the narrowest strip that holds the hull (one of its sides lies on an edge), over the largest distance.
 double relative_thickness(const std::vector<Vec2d>& hull) {
-  double thickness = 4 * largest_coordinate;
+  double thickness = 4 * max_coordinate;
   double extent = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2d a = hull[i];
@@ -120,82 +109,82 @@ double relative_thickness(const std::vector<Vec2d>& hull) {
   return thickness / extent;
 }
 
-/// Whether p, known to be on the line through a and b, lies between them.
-bool is_between(Vec2d p, Vec2d a, Vec2d b) { return dot(a - p, b - p) <= 0; }
-
-bool segments_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
-  const double c_side = orientation(a, b, c);
-  const double d_side = orientation(a, b, d);
-  const double a_side = orientation(c, d, a);
-  const double b_side = orientation(c, d, b);
-  const auto opposite = [](double s, double t) { return (s > 0 && t < 0) || (s < 0 && t > 0); };
-  if (opposite(c_side, d_side) && opposite(a_side, b_side)) return true;
-  return (c_side == 0 && is_between(c, a, b)) || (d_side == 0 && is_between(d, a, b)) ||
-         (a_side == 0 && is_between(a, c, d)) || (b_side == 0 && is_between(b, c, d));
-}
-
 /// Whether the outline turns back on itself at `b`.
 bool folds_back(Vec2d a, Vec2d b, Vec2d c, double tolerance) {
   return distance_to_segment(c, a, b) <= tolerance || distance_to_segment(a, b, c) <= tolerance;
 }
 
-std::optional<std::string> crossing_of(const std::vector<Corner>& corners) {
+/// Whether two edges have a common point, or come so near each other that nothing fits between them.
+bool edges_meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d, double tolerance) {
+  const double nearest = std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d),
+                                   distance_to_segment(c, a, b), distance_to_segment(d, a, b)});
+  return nearest <= tolerance || segments_meet(a, b, c, d);
+}
+
+std::string meeting_sentence(const std::string& name, const std::string& edges, bool crosses) {
+  if (crosses) return name + " crosses itself: " + edges + "; list the corners in the order of the outline";
+  return name + " touches itself: " + edges +
+         "; leave a gap, and build what goes round a hole of several polygons, shapes={...}";
+}
+
+/// The first two edges that have more in common than the end of one that is the start of the other.
+std::optional<std::string> meeting_of(const std::vector<Corner>& corners, const std::string& name) {
   const std::size_t n = corners.size();
   const double tolerance = tolerance_of(points_of(corners));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      const Corner &a = corners[i], &b = corners[i + 1], &c = corners[j], &d = corners[(j + 1) % n];
-      bool crosses = false;
+      const Corner &a = corners[i], &b = corners[(i + 1) % n], &c = corners[j], &d = corners[(j + 1) % n];
+      bool meets = false;
       if (j == i + 1) {
-        crosses = folds_back(a.point, b.point, d.point, tolerance);
+        meets = folds_back(a.point, b.point, d.point, tolerance);
       } else if ((j + 1) % n == i) {
-        crosses = folds_back(c.point, a.point, b.point, tolerance);
+        meets = folds_back(c.point, a.point, b.point, tolerance);
       } else {
-        crosses = segments_meet(a.point, b.point, c.point, d.point);
+        meets = edges_meet(a.point, b.point, c.point, d.point, tolerance);
       }
-      if (crosses) {
-        return "the polygon crosses itself: its edge " + edge_named(a, b) + " meets the one " + edge_named(c, d) +
-               "; list the corners in the order of the outline";
-      }
+      if (!meets) continue;
+      const std::string edges = "its edge " + edge_named(a, b) + " meets the one " + edge_named(c, d);
+      return meeting_sentence(name, edges, segments_cross(a.point, b.point, c.point, d.point));
     }
   }
   return std::nullopt;
 }
 
-std::optional<std::string> concavity_of(const std::vector<Corner>& corners) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (orientation(corners[(i + n - 1) % n].point, corners[i].point, corners[(i + 1) % n].point) > 0) continue;
-    return "the polygon is concave at " + corner_named(corners[i].number) +
-           ", and concave polygons are not built yet: cut it into convex pieces and give them as shapes={...}";
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> problem_with_outline(const std::vector<Corner>& corners) {
-  constexpr std::size_t most = max_polygon_vertices;
+std::optional<std::string> problem_with_outline(const std::vector<Corner>& corners, const std::string& name) {
+  constexpr std::size_t most = max_outline_corners;
   if (corners.size() > most) {
-    return "the polygon has " + std::to_string(corners.size()) + " corners, at most " + std::to_string(most) +
+    return name + " has " + std::to_string(corners.size()) + " corners, at most " + std::to_string(most) +
            " are possible: leave some out, or cut it into pieces and give them as shapes={...}";
   }
   const std::vector<Vec2d> hull = convex_hull(points_of(corners));
   if (corners.size() < 3 || hull.size() < 3) {
-    return "all corners of the polygon lie on one line, it has zero area: move one off the line";
+    return "all corners of " + name + " lie on one line, it has zero area: move one off the line";
   }
   if (relative_thickness(hull) < smallest_thickness) {
-    return "the polygon is thinner than a millionth of its extent: make it thicker, or use a segment or capsule";
+    return name + " is thinner than a millionth of its extent: make it thicker, or use a segment or capsule";
   }
-  return crossing_of(corners);
+  return meeting_of(corners, name);
 }
 
-/// Twice the area, and integrals about the first corner.
+/// Whether a simple outline goes round clockwise: it does so at its leftmost corner, which cannot be concave. The sign
+/// of the area would say the same, but may drown in rounding.
+bool is_clockwise(const std::vector<Corner>& corners) {
+  const auto before = [](const Corner& a, const Corner& b) {
+    return a.point.x < b.point.x || (a.point.x == b.point.x && a.point.y < b.point.y);
+  };
+  const std::size_t n = corners.size();
+  const auto i = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end(), before) - corners.begin());
+  return orientation(corners[(i + n - 1) % n].point, corners[i].point, corners[(i + 1) % n].point) < 0;
+}
+
+/// Twice the area, and what the centroid is made of, about the first corner.
 struct Integrals {
   double twice_area = 0;
-  Vec2d sixfold_first;           ///< of the position
-  double twelvefold_second = 0;  ///< of the distance squared
+  Vec2d sixfold_first;  ///< of the position
 };
 
-Integrals integrals_of(std::span<const Vec2d> corners) {
+template <typename Observer>
+Integrals integrals_of(std::span<const Vec2d> corners, Observer observer) {
   Integrals sum;
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const Vec2d a = corners[i - 1] - corners[0];
@@ -203,7 +192,10 @@ Integrals integrals_of(std::span<const Vec2d> corners) {
     const double twice_area = cross(a, b);
     sum.twice_area += twice_area;
     sum.sixfold_first += twice_area * (a + b);
-    sum.twelvefold_second += twice_area * (dot(a, a) + dot(a, b) + dot(b, b));
+    if constexpr (Observer::watches)
+      observer([&] {
+        return TriangleAdded{corners[0], corners[i - 1], corners[i], twice_area / 2, corners[0] + (1.0 / 3) * (a + b)};
+      });
   }
   return sum;
 }
@@ -212,74 +204,156 @@ Integrals integrals_of(std::span<const Vec2d> corners) {
 Vec2d centroid_from(const Integrals& sum) { return sum.sixfold_first * (1 / (3 * sum.twice_area)); }
 
 /// The next corner of the hull after `current`: nothing lies right of the way there; of several in line, the farthest.
-Vec2d wrapped_on(const std::vector<Vec2d>& points, Vec2d current) {
+template <typename Observer>
+Vec2d wrapped_on(const std::vector<Vec2d>& points, Vec2d current, Observer observer) {
   Vec2d next = current;
   for (const Vec2d p : points) {
-    if (p == current) continue;
-    const double side = next == current ? -1 : orientation(current, next, p);
-    const bool farther = length_squared(p - current) > length_squared(next - current);
-    if (side < 0 || (side == 0 && farther)) next = p;
+    if (p == current || p == next) continue;
+    if (next == current) {
+      next = p;
+      continue;
+    }
+    const double side = orientation(current, next, p);
+    const bool better = side < 0 || (side == 0 && is_between(next, current, p));
+    if constexpr (Observer::watches) observer([&] { return HullCandidate{current, next, p, better}; });
+    if (better) next = p;
   }
   return next;
 }
 
-}  // namespace
-
-double orientation(Vec2d a, Vec2d b, Vec2d c) {
-  const double left = (b.x - a.x) * (c.y - a.y);
-  const double right = (b.y - a.y) * (c.x - a.x);
-  const double difference = left - right;
-  const double error_bound = 0x1p-51 * (std::fabs(left) + std::fabs(right));
-  return std::fabs(difference) > error_bound ? difference : precise_orientation(a, b, c);
+/// The corners without those that equal the one before.
+std::vector<Vec2d> without_repetitions(std::span<const Vec2d> corners) {
+  std::vector<Vec2d> kept;
+  for (const Vec2d p : corners) {
+    if (kept.empty() || !(p == kept.back())) kept.push_back(p);
+  }
+  while (kept.size() > 1 && kept.back() == kept.front()) kept.pop_back();
+  return kept;
 }
 
-std::variant<std::vector<Vec2d>, std::string> clean_polygon(const std::vector<Vec2d>& corners) {
-  if (const auto problem = problem_with_coordinates(corners)) return *problem;
+/// How often the outline changes between going up and going down: twice for every time it goes round.
+int turns_in_y(const std::vector<Vec2d>& corners) {
+  const std::size_t n = corners.size();
+  int turns = 0;
+  double last_rise = 0;
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double rise = corners[(i + 1) % n].y - corners[i % n].y;
+    if (i >= n && rise != 0 && (rise > 0) != (last_rise > 0)) ++turns;
+    if (rise != 0) last_rise = rise;
+  }
+  return turns;
+}
+
+/// Whether `one` and `other` lie on different sides of the line through a and c, or on it.
+template <typename Observer>
+bool separates(Vec2d a, Vec2d c, Vec2d one, Vec2d other, bool& has_area, Observer observer) {
+  const double side = orientation(a, c, one);
+  const double other_side = orientation(a, c, other);
+  const bool result = !(side > 0 && other_side > 0) && !(side < 0 && other_side < 0);
+  has_area = has_area || side != 0 || other_side != 0;
+  if constexpr (Observer::watches) observer([&] { return DiagonalTested{a, c, one, other, result}; });
+  return result;
+}
+
+}  // namespace
+
+std::variant<std::vector<Vec2d>, std::string> clean_polygon(const std::vector<Vec2d>& corners,
+                                                            const std::string& name) {
+  if (const auto problem = problem_with_coordinates(corners, name)) return *problem;
   if (!has_three_distinct(corners)) {
-    return "the polygon has fewer than three distinct points: give at least three corners";
+    return name + " has fewer than three distinct points: give at least three corners";
   }
   std::vector<Corner> outline = without_needless(corners);
-  if (const auto problem = problem_with_outline(outline)) return *problem;
-  if (area_of(points_of(outline)) < 0) std::reverse(outline.begin() + 1, outline.end());
-  if (const auto problem = concavity_of(outline)) return *problem;
+  if (const auto problem = problem_with_outline(outline, name)) return *problem;
+  if (is_clockwise(outline)) std::reverse(outline.begin() + 1, outline.end());
   return points_of(outline);
 }
 
-std::vector<Vec2d> convex_hull(const std::vector<Vec2d>& points) {
+template <typename Observer>
+std::vector<Vec2d> convex_hull(const std::vector<Vec2d>& points, Observer observer) {
   if (points.empty() || !all_finite(points)) return points;
   const Vec2d start = *std::min_element(points.begin(), points.end(),
                                         [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::vector<Vec2d> hull{start};
-  Vec2d next = wrapped_on(points, start);
-  while (!(next == start) && hull.size() < points.size()) {  // never more, even where huge coordinates overflow
+  std::vector<Vec2d> hull;
+  Vec2d next = start;
+  do {
     hull.push_back(next);
-    next = wrapped_on(points, next);
-  }
+    if constexpr (Observer::watches) observer([&] { return HullCorner{next, hull.size() - 1}; });
+    next = wrapped_on(points, next, observer);
+  } while (!(next == start));
   return hull;
 }
 
-bool is_convex(std::span<const Vec2d> corners) {
-  const std::size_t n = corners.size();
-  int turns_in_y = 0;
-  double last_rise = 0;
-  for (std::size_t i = 0; i < 2 * n; ++i) {
-    const Vec2d a = corners[i % n];
-    const Vec2d b = corners[(i + 1) % n];
-    if (orientation(a, b, corners[(i + 2) % n]) < 0) return false;
-    const double rise = b.y - a.y;
-    if (i >= n && rise != 0 && (rise > 0) != (last_rise > 0)) ++turns_in_y;
-    if (rise != 0) last_rise = rise;
+template <typename Observer>
+bool is_convex(std::span<const Vec2d> corners, Observer observer) {
+  const std::vector<Vec2d> outline = without_repetitions(corners);
+  const std::size_t n = outline.size();
+  bool has_area = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2d before = outline[(i + n - 1) % n];
+    const Vec2d after = outline[(i + 1) % n];
+    const double turn = orientation(before, outline[i], after);
+    if constexpr (Observer::watches) observer([&] { return CornerTested{before, outline[i], after, turn, turn >= 0}; });
+    if (turn < 0) return false;
+    has_area = has_area || turn > 0;
   }
-  return n >= 3 && turns_in_y == 2;
+  return has_area && turns_in_y(outline) == 2;
 }
 
-double area_of(std::span<const Vec2d> corners) { return integrals_of(corners).twice_area / 2; }
+template <typename Observer>
+bool quadrilateral_is_convex(Vec2d a, Vec2d b, Vec2d c, Vec2d d, Observer observer) {
+  bool has_area = false;
+  return separates(a, c, b, d, has_area, observer) && separates(b, d, a, c, has_area, observer) && has_area;
+}
 
-Vec2d centroid_of(std::span<const Vec2d> corners) { return corners[0] + centroid_from(integrals_of(corners)); }
+template <typename Observer>
+double area_of(std::span<const Vec2d> corners, Observer observer) {
+  return integrals_of(corners, observer).twice_area / 2;
+}
+
+template <typename Observer>
+Vec2d centroid_of(std::span<const Vec2d> corners, Observer observer) {
+  return corners[0] + centroid_from(integrals_of(corners, observer));
+}
+
+std::vector<Vec2d> inset(const std::vector<Vec2d>& corners, double by) {
+  std::vector<Vec2d> rest = corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2d inward = perp(normalized(corners[(i + 1) % corners.size()] - corners[i]));
+    const auto depth = [&](Vec2d p) { return dot(inward, p - corners[i]) - by; };
+    std::vector<Vec2d> kept;
+    for (std::size_t j = 0; j < rest.size(); ++j) {
+      const Vec2d a = rest[j];
+      const Vec2d b = rest[(j + 1) % rest.size()];
+      if (depth(a) >= 0) kept.push_back(a);
+      if ((depth(a) < 0) != (depth(b) < 0)) kept.push_back(lerp(a, b, depth(a) / (depth(a) - depth(b))));
+    }
+    rest = std::move(kept);
+  }
+  return rest;
+}
 
 double second_moment_of(std::span<const Vec2d> corners) {
-  const Integrals sum = integrals_of(corners);
-  return sum.twelvefold_second / 12 - sum.twice_area / 2 * length_squared(centroid_from(sum));
+  const std::size_t n = corners.size();
+  const Vec2d centroid = centroid_from(integrals_of(corners, NoObserver{}));
+  double twelvefold = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2d a = (corners[i] - corners[0]) - centroid;
+    const Vec2d b = (corners[(i + 1) % n] - corners[0]) - centroid;
+    twelvefold += cross(a, b) * (dot(a, a) + dot(a, b) + dot(b, b));
+  }
+  return twelvefold / 12;
 }
+
+template std::vector<Vec2d> convex_hull<NoObserver>(const std::vector<Vec2d>&, NoObserver);
+template std::vector<Vec2d> convex_hull<Observer>(const std::vector<Vec2d>&, Observer);
+template bool is_convex<NoObserver>(std::span<const Vec2d>, NoObserver);
+template bool is_convex<Observer>(std::span<const Vec2d>, Observer);
+template bool quadrilateral_is_convex<NoObserver>(Vec2d, Vec2d, Vec2d, Vec2d, NoObserver);
+template bool quadrilateral_is_convex<Observer>(Vec2d, Vec2d, Vec2d, Vec2d, Observer);
+template double area_of<NoObserver>(std::span<const Vec2d>, NoObserver);
+template double area_of<Observer>(std::span<const Vec2d>, Observer);
+template Vec2d centroid_of<NoObserver>(std::span<const Vec2d>, NoObserver);
+template Vec2d centroid_of<Observer>(std::span<const Vec2d>, Observer);
 
 }  // namespace proofreel

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -34,7 +35,10 @@ Hull make_hull(const ShapeDef& def, Vec2d center) {
     hull.points[i] = Vec2(here - center);
     hull.normals[i] = Vec2(-perp(normalized(next - here)));
   }
+  std::fill(hull.points + hull.count, std::end(hull.points), hull.points[0]);
+  std::fill(hull.normals + hull.count, std::end(hull.normals), hull.normals[0]);
   hull.thickness = thickness_of(hull);
+  hull.detail = hull.thickness > 0 ? hull.thickness : real(0.01) * distance(hull.points[0], hull.points[1]);
   return hull;
 }
 

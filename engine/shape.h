@@ -11,13 +11,15 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
-/// Coordinates are relative to the body's centre of mass, in the body's axes.
+/// Coordinates are relative to the body's centre of mass, in the body's axes. The places behind the last corner are
+/// filled with the first one, so that loops may run over whole blocks; `make_hull` sees to it.
 struct Hull {
   Vec2 points[max_polygon_vertices];   ///< counter-clockwise
   Vec2 normals[max_polygon_vertices];  ///< unit, outward; normals[i] belongs to the edge from points[i] to the next
   int count = 0;
   real radius = 0;
   real thickness = 0;  ///< the width across the thinnest direction, rounding included; 0 for a bare segment
+  real detail = 0;     ///< what contact tolerances are measured by: the thickness, of a bare segment 1 % of its length
 };
 
 /// `center` is the body's centre of mass in the coordinates `def` is written in.

@@ -59,7 +59,10 @@ void World::rebuild_if_changed() {
   for (const Joint& joint : joints_) {
     if (joint.alive && joint.kind == JointKind::revolute) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
   }
-  if (!on(Effect::contacts) || has_broad_phase_) return;
+  if (!on(Effect::contacts)) return;
+  if (ground_changed_) join_fixed_shapes();
+  ground_changed_ = false;
+  if (has_broad_phase_) return;
   has_broad_phase_ = true;
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     Shape& shape = shapes_[i];

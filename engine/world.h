@@ -70,6 +70,11 @@ class World final : public Simulation {
   void remove_shapes(BodyIndex index);
   void drop_contacts_of(BodyIndex index);
 
+  // Smooth ground (world_seams.cpp).
+  void join_shapes_of(BodyIndex index);
+  void join_fixed_shapes();
+  bool is_ground(const Shape& shape) const;
+
   // Looking (world_observe.cpp).
   Pose center_pose(BodyIndex index) const;
   Vec2d origin_of(BodyIndex index) const;
@@ -89,6 +94,7 @@ class World final : public Simulation {
   EffectCensus census_;
   EffectSet effects_;
   bool structure_changed_ = true;
+  bool ground_changed_ = true;  ///< a shape of a fixed body has come, gone or changed
   bool has_broad_phase_ = false;
 
   std::vector<Body> bodies_;

@@ -77,6 +77,7 @@ void World::reshape(BodyIndex index, Vec2d origin) {
     if (contact.body_a != index && contact.body_b != index) continue;
     mix_materials(contact, shapes_[contact.shape_a], shapes_[contact.shape_b]);
   }
+  join_shapes_of(index);
   structure_changed_ = true;
 }
 
@@ -133,6 +134,7 @@ void World::execute(const ChangeBody& change) {
   Body& body = bodies_[index];
   Motion& motion = motions_[index];
   const Vec2d origin = change.position.value_or(origin_of(index));
+  ground_changed_ |= body.type == BodyType::fixed;
   if (change.type) body.type = *change.type;
   if (change.angle) {
     motion.angle = static_cast<real>(*change.angle);
@@ -175,6 +177,7 @@ void World::execute(const ChangeBody& change) {
 
 void World::execute(const RemoveBody& command) {
   const BodyIndex index = index_of(command.body);
+  ground_changed_ |= bodies_[index].type == BodyType::fixed;
   remove_shapes(index);
   for (Joint& joint : joints_) {
     if (joint.body_a == index || joint.body_b == index) joint.alive = false;

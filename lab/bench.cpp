@@ -16,11 +16,18 @@ struct Bench {
   void (*run)();
 };
 
+void bench_collision() {
+  bench_manifolds();
+  bench_gjk();
+  bench_tree();
+}
+
 /// `first` goes first: it measures what has not been loaded yet.
-const std::vector<Bench> benches{{"first", bench_first}, {"clip", bench_clip}, {"pyramid", bench_pyramid}};
+const std::vector<Bench> benches{
+    {"first", bench_first}, {"clip", bench_clip}, {"collision", bench_collision}, {"pyramid", bench_pyramid}};
 
 int usage() {
-  std::fputs("usage: bench [first|clip|pyramid]\n", stderr);
+  std::fputs("usage: bench [first|clip|collision|pyramid]\n", stderr);
   return 2;
 }
 

@@ -7,9 +7,15 @@ namespace proofreel {
 
 /// From the scenario to the finished film, beside the encoder alone.
 void bench_clip();
+/// Manifolds of random pairs, beside Box2D and Chipmunk.
+void bench_manifolds();
 /// From the command to the first picture.
 void bench_first();
+/// Distances and times of impact of two polygons, beside Box2D.
+void bench_gjk();
 /// Stepping a hundred rows of boxes, beside Box2D.
 void bench_pyramid();
+/// Finding the pairs of overlapping boxes and querying them, beside Box2D and Chipmunk; and how that grows.
+void bench_tree();
 
 }  // namespace proofreel

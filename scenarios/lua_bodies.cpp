@@ -65,6 +65,12 @@ std::optional<std::uint64_t> read_bits(const Fields& fields, const char* key) {
   return static_cast<std::uint64_t>(*bits);
 }
 
+/// A copy, which counts as work according to its size.
+ShapeValue taken(lua_State* state, const ShapeValue& shape) {
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) charge_for_making(state);
+  return shape;
+}
+
 std::vector<ShapeValue> read_shape_list(const Fields& fields) {
   lua_State* state = fields.state();
   fields.push("shapes");
@@ -77,7 +83,7 @@ std::vector<ShapeValue> read_shape_list(const Fields& fields) {
     const ShapeValue* shape = to_shape(state, -1);
     if (shape == nullptr) fields.refuse("shapes", "must be a list of shapes, got " + described(state, -1) + " in it");
     charge_for_making(state);
-    shapes.push_back(*shape);
+    shapes.push_back(taken(state, *shape));
     lua_pop(state, 1);
   }
   lua_pop(state, 1);
@@ -95,7 +101,7 @@ std::optional<std::vector<ShapeValue>> read_shapes(const Fields& fields) {
     fields.refuse("shape", "must be a shape such as circle{radius=1}, got " + described(state, -1));
   }
   lua_pop(state, 1);
-  return std::vector<ShapeValue>{*shape};
+  return std::vector<ShapeValue>{taken(state, *shape)};
 }
 
 void read_motion(const Fields& fields, ChangeBody& change) {
@@ -125,8 +131,10 @@ void put(Value& target, const std::optional<Value>& value) {
 }
 
 void check_shapes(const BodyRecord& record, const std::vector<ShapeValue>& shapes) {
-  for (const ShapeValue& shape : shapes) {
-    if (!shape.problem.empty()) throw Problem("body " + quote(record.def.name) + ": " + shape.problem);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].problem.empty()) continue;
+    const std::string which = shapes.size() > 1 ? "shape " + std::to_string(i + 1) + ": " : "";
+    throw Problem("body " + quote(record.def.name) + ": " + which + shapes[i].problem);
   }
 }
 
@@ -171,7 +179,7 @@ BodyRecord shorthand(const Fields& fields, const char* name, ShapeValue shape) {
   record.def.color = read_color(fields);
   put(record.material.friction, read_friction(fields));
   put(record.material.restitution, read_restitution(fields));
-  record.def.shapes = {shape.on_body(record.material)};
+  record.def.shapes = shape.on_body(record.material);
   return record;
 }
 
@@ -192,7 +200,7 @@ int ground(lua_State* state) {
   const Fields fields(state, 1, "ground", keys);
   const double y = fields.number("y").value_or(0);
   ShapeValue slab;
-  slab.def.points = {{-half_width, -depth}, {half_width, -depth}, {half_width, 0}, {-half_width, 0}};
+  slab.parts = {{{-half_width, -depth}, {half_width, -depth}, {half_width, 0}, {-half_width, 0}}};
   BodyRecord record = shorthand(fields, "ground", slab);
   record.def.position = {0, y};
   return finish_shorthand(state, record, "ground");
@@ -202,7 +210,7 @@ int wall(lua_State* state) {
   static constexpr Name keys[] = {{"a"}, {"b"}, {"name"}, {"friction"}, {"restitution"}, {"color"}};
   const Fields fields(state, 1, "wall", keys);
   ShapeValue line;
-  line.def.points = {fields.required("a", fields.vector("a")), fields.required("b", fields.vector("b"))};
+  line.parts = {{fields.required("a", fields.vector("a")), fields.required("b", fields.vector("b"))}};
   return finish_shorthand(state, shorthand(fields, "wall", line), "wall");
 }
 
@@ -251,7 +259,9 @@ void apply_keys(BodyRecord& record, const BodyKeys& keys) {
   if (!keys.shapes) return;
   check_shapes(record, *keys.shapes);
   def.shapes.clear();
-  for (const ShapeValue& shape : *keys.shapes) def.shapes.push_back(shape.on_body(record.material));
+  for (const ShapeValue& value : *keys.shapes) {
+    for (ShapeDef& shape : value.on_body(record.material)) def.shapes.push_back(std::move(shape));
+  }
 }
 
 void check_body(const BodyDef& def) {

@@ -16,14 +16,16 @@ namespace proofreel {
 /// Geometry and the coefficients the shape has of its own. What is wrong with the geometry is said when a body takes
 /// the shape, since only then there is a name to say it of.
 struct ShapeValue {
-  ShapeDef def;
+  /// The points of the ShapeDefs it becomes: one list, or one for each convex part of a polygon.
+  std::vector<std::vector<Vec2d>> parts;
+  double radius = 0;
   std::optional<double> density;
   std::optional<FrictionDef> friction;
   std::optional<double> restitution;
   std::string problem;
 
   /// With the coefficients of its own or else of the body.
-  ShapeDef on_body(const Material& material) const;
+  std::vector<ShapeDef> on_body(const Material& material) const;
 };
 
 /// The words circle, box, polygon, hull, regular, capsule, segment.

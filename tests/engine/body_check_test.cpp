@@ -72,6 +72,25 @@ TEST_CASE("Shapes without extent are refused", "[check]") {
   CHECK_THAT(problem(body), Catch::Contains("crosses itself"));
 }
 
+TEST_CASE("A polygon must be listed as the collision stages take it", "[check]") {
+  const auto of = [](std::vector<Vec2d> points) {
+    BodyDef body = sound_body();
+    body.shapes[0].points = std::move(points);
+    return problem(body);
+  };
+  CHECK(of({{0, 0}, {1, 0}, {1, 1}}) == "sound");
+  CHECK(of({{0, 0}, {1, 0}, {2, 0}, {1, 1}}) == "sound");
+  CHECK_THAT(of({{0, 0}, {1, 1}, {1, 0}}), Catch::Contains("counter-clockwise") && Catch::Contains("clean_polygon"));
+  CHECK_THAT(of({{0, 0}, {1, 0}, {1, 0}, {1, 1}}), Catch::Contains("every corner once"));
+  CHECK_THAT(of({{0, 0}, {1, 0}, {1, 1}, {0, 0}}), Catch::Contains("every corner once"));
+  CHECK_THAT(of({{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}), Catch::Contains("concave") && Catch::Contains("convex_parts"));
+  CHECK_THAT(of({{0, 0}, {1000, 0}, {1000, 0.0001}}), Catch::Contains("thinner than a millionth"));
+  CHECK_THAT(of({{0, 0}, {1, 1}, {2, 2}}), Catch::Contains("zero area"));
+  std::vector<Vec2d> many;
+  for (int i = 0; i <= max_polygon_vertices; ++i) many.push_back({1.0 * i, 1.0 * i * i});
+  CHECK_THAT(of(many), Catch::Contains("17 corners") && Catch::Contains("at most 16"));
+}
+
 TEST_CASE("A dynamic body needs an area or a mass of its own", "[check]") {
   ShapeDef segment;
   segment.points = {{0, 0}, {1, 0}};

@@ -249,3 +249,133 @@ TEST_CASE("Shapes farther apart than the margin make no manifold", "[collide]") 
   CHECK(collide_placed({disc_shape(1), {0, 0}, 0}, {disc_shape(1), {2.2, 0}, 0}, 0.1).count == 0);
   CHECK(collide_placed({box_shape(1, 1), {0, 0}, 0}, {box_shape(1, 1), {1.2, 0}, 0}, 0.1).count == 0);
 }
+
+// Shapes at the edge of what there is, each with its stated outcome.
+
+namespace {
+
+ShapeDef polygon_shape(std::vector<Vec2d> points) {
+  ShapeDef shape;
+  shape.points = std::move(points);
+  return shape;
+}
+
+ShapeDef capsule_shape(double half_length, double radius) {
+  ShapeDef shape = polygon_shape({{-half_length, 0}, {half_length, 0}});
+  shape.radius = radius;
+  return shape;
+}
+
+ShapeDef regular_shape(int corners) {
+  ShapeDef shape;
+  for (int i = 0; i < corners; ++i) shape.points.push_back(rotate(Rotd(2 * 3.14159265358979 * i / corners), {1, 0}));
+  return shape;
+}
+
+void check_manifold(const Manifold& m, int count, Vec2d normal, double separation) {
+  REQUIRE(m.count == count);
+  CHECK(static_cast<double>(m.normal.x) == Approx(normal.x).margin(1e-4));
+  CHECK(static_cast<double>(m.normal.y) == Approx(normal.y).margin(1e-4));
+  CHECK(static_cast<double>(deepest(m)) == Approx(separation).margin(pick(1e-12, 1e-6)));
+}
+
+}  // namespace
+
+TEST_CASE("A disc leaves a box through the region its centre is in", "[collide]") {
+  const Placed box{box_shape(2, 2), {0, 0}, 0};
+  const double d = std::sqrt(0.5);
+  const auto with = [&](Vec2d centre) { return collide_placed(box, {disc_shape(0.5), centre, 0}, 1); };
+  for (const double side : {-1.0, 1.0}) {
+    check_manifold(with({side * 1.2, 0.3}), 1, {side, 0}, -0.3);  // in front of a face
+    check_manifold(with({0.3, side * 1.2}), 1, {0, side}, -0.3);  // in front of another
+    check_manifold(with({side * 0.9, 0.3}), 1, {side, 0}, -0.6);  // inside
+    check_manifold(with({side, 0.3}), 1, {side, 0}, -0.5);        // on the edge
+    check_manifold(with({side * 1.2, 1.2}), 1, {side * d, d}, 0.2 * std::sqrt(2.0) - 0.5);
+    check_manifold(with({side * 1.2, -1.2}), 1, {side * d, -d}, 0.2 * std::sqrt(2.0) - 0.5);
+    CHECK(static_cast<double>(deepest(with({side, 1}))) == Approx(-0.5));  // on the corner, by either of its faces
+  }
+}
+
+TEST_CASE("A disc on a capsule's axis leaves it sideways, at its end along the axis", "[collide]") {
+  const Placed capsule{capsule_shape(1, 0.25), {0, 0}, 0};
+  check_manifold(collide_placed(capsule, {disc_shape(0.5), {0.2, 0}, 0}, 0), 1, {0, -1}, -0.75);
+  check_manifold(collide_placed(capsule, {disc_shape(0.5), {1.5, 0}, 0}, 0), 1, {1, 0}, -0.25);
+}
+
+TEST_CASE("Coincident shapes are parted by their least width", "[collide]") {
+  CHECK(deepest(collide_placed({box_shape(2, 1), {0, 0}, 0.3}, {box_shape(2, 1), {0, 0}, 0.3}, 0)) ==
+        Approx(-1).margin(1e-5));
+  CHECK(deepest(collide_placed({capsule_shape(1, 0.2), {0, 0}, 0.3}, {capsule_shape(1, 0.2), {0, 0}, 0.3}, 0)) ==
+        Approx(-0.4).margin(1e-5));
+}
+
+TEST_CASE("A shape that is all inside another leaves through the nearest face", "[collide]") {
+  check_manifold(collide_placed({box_shape(10, 10), {0, 0}, 0}, {box_shape(1, 1), {4, 1}, 0}, 0), 2, {1, 0}, -1.5);
+  check_manifold(collide_placed({box_shape(1, 1), {4, 1}, 0}, {box_shape(10, 10), {0, 0}, 0}, 0), 2, {-1, 0}, -1.5);
+}
+
+TEST_CASE("A sliver of 0.2 mm in a metre touches along its length", "[collide]") {
+  const Placed sliver{box_shape(1, 0.0002), {0, 0.50005}, 0};
+  check_manifold(collide_placed({box_shape(4, 1), {0, 0}, 0}, sliver, 0), 2, {0, 1}, -0.00005);
+}
+
+TEST_CASE("A needle's tip touches in one place and its side in two", "[collide]") {
+  const ShapeDef needle = polygon_shape({{0, 0}, {0.001, 1}, {-0.001, 1}});
+  const Manifold tip = collide_placed({box_shape(4, 1), {0, 0}, 0}, {needle, {0, 0.499}, 0}, 0);
+  REQUIRE(tip.count >= 1);
+  CHECK(static_cast<double>(deepest(tip)) == Approx(-0.001).margin(1e-6));
+  const Placed lying{polygon_shape({{0, 0}, {1, -0.001}, {1, 0.001}}), {-0.5, 0.5005}, 0};
+  check_manifold(collide_placed({box_shape(4, 1), {0, 0}, 0}, lying, 0.01), 2, {0, 1}, -0.0005);
+}
+
+TEST_CASE("Faces that are almost parallel touch in both ends", "[collide]") {
+  for (const double tilt : {-1e-7, 0.0, 1e-7}) {
+    const Manifold m = collide_placed({box_shape(4, 1), {0, 0}, 0}, {box_shape(1, 1), {0, 0.999}, tilt}, 0);
+    REQUIRE(m.count == 2);
+    CHECK(m.points[0].separation == Approx(-0.001).margin(1e-6));
+    CHECK(m.points[1].separation == Approx(-0.001).margin(1e-6));
+  }
+}
+
+TEST_CASE("Polygons of 3 to 16 corners rest on a face like any other", "[collide]") {
+  for (int corners = 3; corners <= 16; ++corners) {
+    const ShapeDef shape = regular_shape(corners);
+    const double half = 3.14159265358979 / corners;
+    const double apothem = elementary::cos(half);
+    const double angle = -0.5 * 3.14159265358979 - half;  // turns the first face down
+    INFO(corners << " corners");
+    const Placed resting{shape, {0, 0.5 + apothem - 0.001}, angle};
+    check_manifold(collide_placed({box_shape(8, 1), {0, 0}, 0}, resting, 0), 2, {0, 1}, -0.001);
+  }
+}
+
+TEST_CASE("Boxes that touch at a corner touch there", "[collide]") {
+  const Manifold m = collide_placed({box_shape(2, 2), {0, 0}, 0}, {box_shape(2, 2), {2, 2}, 0}, 0.01);
+  REQUIRE(m.count >= 1);
+  CHECK(std::abs(deepest(m)) < pick(1e-12, 1e-6));
+  CHECK(static_cast<double>(m.points[0].point.x) == Approx(1).margin(0.01));
+  CHECK(static_cast<double>(m.points[0].point.y) == Approx(1).margin(0.01));
+}
+
+TEST_CASE("Bare segments that are parallel or on one line have a finite manifold", "[collide]") {
+  const Placed line{capsule_shape(1, 0), {0, 0}, 0};
+  check_manifold(collide_placed(line, {capsule_shape(1, 0), {0.5, 0.25}, 0}, 1), 2, {0, 1}, 0.25);
+  check_manifold(collide_placed(line, {capsule_shape(1, 0), {2.5, 0}, 0}, 1), 1, {1, 0}, 0.5);
+  CHECK(std::abs(deepest(collide_placed(line, {capsule_shape(1, 0), {0.5, 0}, 0}, 1))) < real(1e-6));
+}
+
+TEST_CASE("A box that slides and rocks on a bare segment keeps its features", "[collide]") {
+  const Placed line{capsule_shape(5, 0), {0, 0}, 0};
+  const Placed slab{box_shape(10, 1), {0, -0.5}, 0};
+  for (const Placed& below : {line, slab}) {
+    const Manifold first = collide_placed(below, {box_shape(1, 1), {0, 0.5}, 0}, 0.1);
+    REQUIRE(first.count == 2);
+    for (int i = -100; i <= 100; ++i) {
+      const Placed box{box_shape(1, 1), {0.03 * i, 0.5 + 1e-6 * (i % 3)}, 1e-4 * (i % 7)};
+      const Manifold m = collide_placed(below, box, 0.1);
+      REQUIRE(m.count == 2);
+      CHECK(m.points[0].feature == first.points[0].feature);
+      CHECK(m.points[1].feature == first.points[1].feature);
+    }
+  }
+}
