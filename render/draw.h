@@ -6,7 +6,7 @@
 namespace proofreel {
 
 /// What of a frame is drawn, and how. Whatever the order of this list, from the back to the front lie the grid, fixed
-/// bodies, trails, moving bodies, bvh, aabbs, joints, contacts, vectors, and then what is written.
+/// bodies, trails, moving bodies, parts, bvh, aabbs, joints, contacts, vectors, and then what is written.
 struct Style {
   Theme theme = Theme::light;
   std::vector<Layer> layers;

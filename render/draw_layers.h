@@ -47,6 +47,8 @@ void draw_grid(const Stage& stage);
 /// Only where nothing else is written.
 void draw_grid_numbers(const Stage& stage, Cards& cards);
 void draw_bodies(const Stage& stage, bool fixed_ones);
+/// Where the bodies of several shapes are put together: concave outlines show the convex parts they were cut into.
+void draw_parts(const Stage& stage);
 void draw_tree(const Stage& stage);
 void draw_contacts(const Stage& stage);
 void draw_joints(const Stage& stage);
@@ -72,5 +74,8 @@ void paint_shape(Canvas& canvas, const ShapePx& shape, const Paint& paint);
 
 /// Several shapes of one body, outlined together as if they were one.
 void paint_compound(Canvas& canvas, const std::vector<ShapePx>& shapes, const Paint& paint);
+
+/// The edges along which the shapes of one body meet or reach into each other.
+void paint_seams(Canvas& canvas, const std::vector<ShapePx>& shapes, double width_px, Color color);
 
 }  // namespace proofreel

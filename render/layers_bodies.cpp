@@ -74,4 +74,11 @@ void draw_bodies(const Stage& stage, bool fixed_ones) {
   }
 }
 
+void draw_parts(const Stage& stage) {
+  for (const BodyView& body : stage.frame.snapshot.bodies) {
+    const Tone tone = tone_of(stage.palette, body);
+    paint_seams(stage.canvas, shapes_of(stage, body), stage.sizes.thin, mixed(tone.fill, tone.outline, 0.5));
+  }
+}
+
 }  // namespace proofreel

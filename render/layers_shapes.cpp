@@ -45,6 +45,21 @@ Sharing sharing_of(const std::vector<ShapePx>& shapes, std::size_t own, Vec2d a,
   return Sharing::none;
 }
 
+/// Whether the point lies inside another shape.
+bool is_covered(const std::vector<ShapePx>& shapes, std::size_t own, Vec2d p) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (i == own || shapes[i].points.size() < 3) continue;
+    const std::vector<Vec2d> corners = oriented(shapes[i].points);
+    bool inside = true;
+    for (std::size_t j = 0; j < corners.size(); ++j) {
+      const Vec2d along = normalized(corners[(j + 1) % corners.size()] - corners[j]);
+      inside = inside && cross(along, p - corners[j]) > 0.25;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
 /// How far the fill goes beyond an edge: short of the outline, or a little over an edge shared with another piece, so
 /// that no seam shows; over the outline that a longer edge of the neighbour has there.
 double reach_over(Sharing sharing, double outline_px) {
@@ -98,6 +113,19 @@ void paint_compound(Canvas& canvas, const std::vector<ShapePx>& shapes, const Pa
     const ShapePx inside = inside_of_outline(shapes, i, paint.outline_px);
     if (inside.points.size() == 2 && inside.radius <= 0) continue;
     paint_shape(canvas, inside, {paint.fill, paint.fill, 0});
+  }
+}
+
+void paint_seams(Canvas& canvas, const std::vector<ShapePx>& shapes, double width_px, Color color) {
+  for (std::size_t own = 0; own < shapes.size(); ++own) {
+    if (shapes[own].points.size() < 3) continue;
+    const std::vector<Vec2d> corners = oriented(shapes[own].points);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2d a = corners[i];
+      const Vec2d b = corners[(i + 1) % corners.size()];
+      const bool inner = sharing_of(shapes, own, a, b) != Sharing::none || is_covered(shapes, own, 0.5 * (a + b));
+      if (inner) canvas.line(a, b, width_px, color);
+    }
   }
 }
 

@@ -18,8 +18,8 @@
 namespace proofreel {
 
 enum class Theme : std::uint8_t { light, dark, print };
-enum class Layer : std::uint8_t { bodies, bvh, contacts, joints, aabbs, trails, vectors, labels, grid, clock };
-inline constexpr int layer_count = 10;
+enum class Layer : std::uint8_t { bodies, parts, bvh, contacts, joints, aabbs, trails, vectors, labels, grid, clock };
+inline constexpr int layer_count = 11;
 const char* name_of(Layer layer);
 std::optional<Layer> layer_named(std::string_view name);
 std::optional<Theme> theme_named(std::string_view name);
