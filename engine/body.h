@@ -55,6 +55,7 @@ struct Body {
   Vec2 velocity_before;  ///< at the start of the last tick
   real angle_before = 0;
   FilterDef filter;
+  std::optional<DragDef> drag;  ///< without it, the scene's
   std::optional<std::uint32_t> color;
   std::vector<std::uint32_t> shapes;  ///< indices of its shapes
   std::vector<ShapeDef> defs;         ///< what the shapes and the mass were made from

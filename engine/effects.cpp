@@ -4,7 +4,16 @@
 
 namespace proofreel {
 
+EffectCensus::EffectCensus(const Scene& scene)
+    : gravity_(!(scene.gravity == Vec2d{})),
+      drag_(scene.drag.acts()),
+      wind_(!(scene.wind == Vec2d{})),
+      attractor_(!scene.attractors.empty()),
+      nbody_(scene.gravitational_constant.has_value()),
+      rocket_(!scene.rockets.empty()) {}
+
 void EffectCensus::add(const BodyDef& body) {
+  drag_ |= body.drag && body.drag->acts();
   if (body.shapes.empty()) return;
   const bool dynamic = body.type == BodyType::dynamic;
   const auto is_alike = [&](const MeetingClass& c) { return c.dynamic == dynamic && c.filter == body.filter; };
@@ -40,7 +49,12 @@ EffectSet EffectCensus::inferred() const {
     if (called_for) set.add(effect);
   };
   const bool contacts = anything_meets();
-  add_if(!(gravity_ == Vec2d{}), Effect::gravity);
+  add_if(gravity_, Effect::gravity);
+  add_if(drag_, Effect::drag);
+  add_if(drag_ && wind_, Effect::wind);
+  add_if(attractor_, Effect::attractor);
+  add_if(nbody_, Effect::nbody);
+  add_if(rocket_, Effect::rocket);
   add_if(spring_, Effect::springs);
   add_if(contacts, Effect::contacts);
   add_if(contacts && friction_, Effect::friction);
@@ -53,7 +67,7 @@ EffectSet EffectCensus::inferred() const {
 
 EffectSet effects_of(const Scene& scene) {
   if (scene.effects) return *scene.effects;
-  EffectCensus census(scene.gravity);
+  EffectCensus census(scene);
   for (const BodyDef& body : scene.bodies) census.add(body);
   for (const JointDef& joint : scene.joints) census.add(joint);
   return census.inferred();
@@ -63,6 +77,16 @@ const char* name_of(Effect effect) {
   switch (effect) {
     case Effect::gravity:
       return "gravity";
+    case Effect::drag:
+      return "drag";
+    case Effect::wind:
+      return "wind";
+    case Effect::attractor:
+      return "attractor";
+    case Effect::nbody:
+      return "nbody";
+    case Effect::rocket:
+      return "rocket";
     case Effect::springs:
       return "springs";
     case Effect::contacts:

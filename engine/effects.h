@@ -12,7 +12,8 @@ namespace proofreel {
 /// nothing to act on changes no bit of the motion.
 class EffectCensus {
  public:
-  explicit EffectCensus(Vec2d gravity) : gravity_(gravity) {}
+  /// Counts what belongs to the scene as a whole; bodies and joints are added one by one.
+  explicit EffectCensus(const Scene& scene);
   void add(const BodyDef& body);
   void add(const JointDef& joint);
   EffectSet inferred() const;
@@ -26,7 +27,12 @@ class EffectCensus {
   };
   bool anything_meets() const;
 
-  Vec2d gravity_;
+  bool gravity_ = false;
+  bool drag_ = false;
+  bool wind_ = false;
+  bool attractor_ = false;
+  bool nbody_ = false;
+  bool rocket_ = false;
   std::vector<MeetingClass> classes_;
   bool friction_ = false;
   bool restitution_ = false;

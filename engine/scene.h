@@ -59,6 +59,14 @@ inline bool filters_agree(const FilterDef& a, const FilterDef& b) {
   return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
+/// Resistance of the medium against motion relative to it: force -(linear + quadratic |v|) v, torque -angular w.
+struct DragDef {
+  double linear = 0;     ///< N s/m
+  double quadratic = 0;  ///< N s^2/m^2
+  double angular = 0;    ///< N m s
+  bool acts() const { return linear > 0 || quadratic > 0 || angular > 0; }
+};
+
 struct BodyDef {
   std::string name;
   BodyType type = BodyType::dynamic;
@@ -74,6 +82,7 @@ struct BodyDef {
   bool bullet = false;  ///< looks ahead for what it meets within a tick, moving bodies included
   bool sensor = false;  ///< reports contacts but pushes nothing
   FilterDef filter;
+  std::optional<DragDef> drag;         ///< without it, the scene's
   std::optional<std::uint32_t> color;  ///< 0xRRGGBB; without it, by body type
 };
 
@@ -95,6 +104,28 @@ struct JointDef {
   double damping = 0;    ///< spring: N s/m along the spring
 };
 
+enum class AttractionLaw : std::uint8_t {
+  inverse_square,  ///< m * strength / r^2, strength in m^3/s^2
+  linear           ///< m * strength * r, strength in 1/s^2
+};
+
+/// Pulls every dynamic body's centre of mass towards a point, or towards another body, which feels it in return.
+struct AttractorDef {
+  std::optional<BodyId> body;
+  Vec2d at;  ///< without a body
+  double strength = 0;
+  AttractionLaw law = AttractionLaw::inverse_square;
+};
+
+/// Pushes a body along its own +y and takes from its mass what it burns, until the fuel is gone.
+struct RocketDef {
+  BodyId body{};
+  double thrust = 0;     ///< N
+  double burn_rate = 0;  ///< kg/s, above 0
+  double fuel = 0;       ///< kg, less than the body's mass
+  Vec2d at;              ///< where it pushes, in body coordinates
+};
+
 enum class Integrator : std::uint8_t { symplectic_euler, verlet };
 enum class Precision : std::uint8_t { float32, float64 };
 
@@ -108,8 +139,22 @@ struct Method {
 };
 
 /// What acts in a scene. A stage nobody needs is not run.
-enum class Effect : std::uint8_t { gravity, springs, contacts, friction, restitution, ccd, joints, sensors };
-inline constexpr int effect_count = 8;
+enum class Effect : std::uint8_t {
+  gravity,
+  drag,
+  wind,
+  attractor,
+  nbody,
+  springs,
+  rocket,
+  contacts,
+  friction,
+  restitution,
+  ccd,
+  joints,
+  sensors
+};
+inline constexpr int effect_count = 13;
 
 /// A set of effects.
 class EffectSet {
@@ -129,6 +174,11 @@ struct Scene {
   std::optional<EffectSet> effects;  ///< exactly these; without it, inferred from what the scene holds
   std::vector<BodyDef> bodies;       ///< body i + 1 is bodies[i]
   std::vector<JointDef> joints;      ///< joint i is joints[i]
+  DragDef drag;                      ///< of bodies that have none of their own
+  Vec2d wind;                        ///< m/s, the velocity of the medium that drags
+  std::vector<AttractorDef> attractors;
+  std::optional<double> gravitational_constant;  ///< m^3/(kg s^2): dynamic bodies attract each other
+  std::vector<RocketDef> rockets;
 };
 
 }  // namespace proofreel

@@ -41,6 +41,7 @@ struct ChangeBody {
   std::optional<bool> bullet;
   std::optional<bool> sensor;
   std::optional<FilterDef> filter;
+  std::optional<DragDef> drag;
   std::optional<std::uint32_t> color;
 };
 /// The body's joints go with it.

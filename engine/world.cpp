@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/attraction.h"
+#include "engine/drag.h"
 #include "engine/impact.h"
 
 namespace proofreel {
@@ -27,12 +29,17 @@ World::World(const Scene& scene)
       dt_(real(1) / static_cast<real>(scene.rate)),
       h_(dt_ / static_cast<real>(scene.method.substeps)),
       gravity_(scene.gravity),
+      drag_(scene.drag),
+      wind_(scene.wind),
+      attractors_(scene.attractors),
+      gravitational_constant_(scene.gravitational_constant.value_or(0)),
       listed_effects_(scene.effects),
-      census_(scene.gravity) {
+      census_(scene) {
   bodies_.emplace_back().name = "world";
   motions_.emplace_back();
   for (const BodyDef& def : scene.bodies) add_body(def);
   for (const JointDef& def : scene.joints) add_joint(def);
+  for (const RocketDef& def : scene.rockets) add_rocket(def);
   rebuild_if_changed();
 }
 
@@ -142,7 +149,8 @@ void World::prepare_solvers() {
 }
 
 /// Verlet splits the forces in two halves, one before the drift and one after it; symplectic Euler gives them all
-/// before.
+/// before. What changes velocities by a law of its own (burning rockets, drag) lies around all of that, in the same
+/// halves: there positions and velocities belong to one time, so that the work done is booked exactly.
 void World::substep(real h) {
   const bool verlet = method_.integrator == Integrator::verlet;
   const real share = verlet ? real(0.5) : real(1);
@@ -151,6 +159,8 @@ void World::substep(real h) {
     const real resting_speed = h * length(effective_gravity());
     resolve_impacts(contact_solver_.constraints(), bodies_, motions_, h, resting_speed, on(Effect::friction));
   }
+  if (verlet && on(Effect::drag)) drag_all(share * h);
+  if (verlet && on(Effect::rocket)) burn_rockets(share * h);
   kick(share * h);
   contact_solver_.begin_substep(motions_, share);
   if (joints) joint_solver_.begin_substep(joints_, motions_);
@@ -164,6 +174,8 @@ void World::substep(real h) {
     kick(share * h);
     contact_solver_.add_share(motions_, share);
   }
+  if (on(Effect::rocket)) burn_rockets(share * h);
+  if (on(Effect::drag)) drag_all(share * h);
   for (int i = 0; i < method_.iterations; ++i) {
     contact_solver_.relax(motions_, h);
     if (joints) joint_solver_.solve_velocities(joints_, motions_);
@@ -177,9 +189,35 @@ void World::kick(real h) {
     motions_[i].velocity += h * bodies_[i].acceleration;
     motions_[i].spin += h * bodies_[i].angular_acceleration;
   }
+  if (on(Effect::attractor) || on(Effect::nbody)) kick_by_attraction(h);
   if (!on(Effect::springs)) return;
   for (Joint& joint : joints_) {
     if (joint.alive && joint.kind == JointKind::spring) kick_spring(joint, bodies_, motions_, h);
+  }
+}
+
+void World::kick_by_attraction(real h) {
+  if (on(Effect::attractor)) {
+    for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, motions_, h);
+  }
+  if (on(Effect::nbody)) kick_towards_each_other(gravitational_constant_, bodies_, motions_, h);
+}
+
+/// What a rocket does is work from outside: its fuel holds energy that nobody counts.
+void World::burn_rockets(real h) {
+  for (Rocket& rocket : rockets_) {
+    if (rocket.fuel <= 0) continue;
+    const double before = potential_energy();
+    booked_work_ += burn(rocket, bodies_[rocket.body], motions_[rocket.body], h);
+    booked_work_ += potential_energy() - before;
+  }
+}
+
+void World::drag_all(real h) {
+  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
+  for (BodyIndex i = 1; i < bodies_.size(); ++i) {
+    const DragDef& drag = bodies_[i].drag ? *bodies_[i].drag : drag_;
+    if (bodies_[i].type == BodyType::dynamic && drag.acts()) apply_drag(motions_[i], drag, wind, h);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "engine/effects.h"
 #include "engine/joint.h"
 #include "engine/joint_solver.h"
+#include "engine/rocket.h"
 #include "engine/simulation.h"
 
 namespace proofreel {
@@ -45,6 +46,9 @@ class World final : public Simulation {
   void prepare_solvers();
   void substep(real h);
   void kick(real h);
+  void kick_by_attraction(real h);
+  void burn_rockets(real h);
+  void drag_all(real h);
   void drift_all(real h);
   void end_tick();
   void book_work();
@@ -63,6 +67,7 @@ class World final : public Simulation {
   void execute(const RemoveJoint& command);
   void add_body(const BodyDef& def);
   void add_joint(const JointDef& def);
+  void add_rocket(const RocketDef& def);
   real size_of(const Joint& joint) const;
   void reshape(BodyIndex index, Vec2d origin);
   void move_center(BodyIndex index, Vec2 way);
@@ -80,6 +85,7 @@ class World final : public Simulation {
   Vec2d origin_of(BodyIndex index) const;
   ContactView view_of(const Contact& contact) const;
   void observe_bodies(Snapshot& snapshot) const;
+  double potential_energy() const;
 
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
@@ -90,6 +96,10 @@ class World final : public Simulation {
   real dt_;  ///< a tick, s
   real h_;   ///< a substep, s
   Vec2 gravity_;
+  DragDef drag_;
+  Vec2 wind_;
+  std::vector<AttractorDef> attractors_;
+  double gravitational_constant_;
   std::optional<EffectSet> listed_effects_;
   EffectCensus census_;
   EffectSet effects_;
@@ -101,6 +111,7 @@ class World final : public Simulation {
   std::vector<Motion> motions_;  ///< parallel to bodies_
   std::vector<Shape> shapes_;
   std::vector<Joint> joints_;
+  std::vector<Rocket> rockets_;
   BroadPhase broad_phase_;
   std::vector<Contact> contacts_;
   ContactSolver contact_solver_;

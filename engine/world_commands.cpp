@@ -32,6 +32,7 @@ void World::add_body(const BodyDef& def) {
   body.sensor = def.sensor;
   body.gravity_scale = static_cast<real>(def.gravity_scale);
   body.filter = def.filter;
+  body.drag = def.drag;
   body.color = def.color;
   body.defs = def.shapes;
   body.given_mass = def.mass;
@@ -153,6 +154,7 @@ void World::execute(const ChangeBody& change) {
   body.bullet = change.bullet.value_or(body.bullet);
   body.sensor = change.sensor.value_or(body.sensor);
   if (change.filter) body.filter = *change.filter;
+  if (change.drag) body.drag = change.drag;
   if (change.color) body.color = change.color;
   const bool same_body = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
                          !change.restitution && !change.density && !change.mass && !change.inertia &&
@@ -165,9 +167,12 @@ void World::execute(const ChangeBody& change) {
     motion.velocity = {};
     motion.spin = 0;
   }
-  if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.sensor && !change.filter)
+  if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.sensor && !change.filter &&
+      !change.drag)
     return;
+  structure_changed_ = true;
   BodyDef def;
+  def.drag = body.drag;
   def.type = body.type;
   def.sensor = body.sensor;
   def.filter = body.filter;
@@ -234,6 +239,11 @@ void World::add_joint(const JointDef& def) {
   joints_.push_back(joint);
   census_.add(def);
   structure_changed_ = true;
+}
+
+void World::add_rocket(const RocketDef& def) {
+  const BodyIndex body = index_of(def.body);
+  rockets_.push_back({body, def.thrust, def.burn_rate, def.fuel, def.at - Vec2d(bodies_[body].local_center)});
 }
 
 void World::execute(const CreateJoint& command) { add_joint(command.def); }

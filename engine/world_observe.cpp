@@ -1,3 +1,4 @@
+#include "engine/attraction.h"
 #include "engine/state_hash.h"
 #include "engine/world.h"
 
@@ -112,22 +113,34 @@ void World::observe(Snapshot& snapshot) const {
   }
 }
 
-Energy World::energy() const {
-  Energy e;
+double World::potential_energy() const {
+  double potential = 0;
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].type != BodyType::dynamic) continue;
-    const auto mass = static_cast<double>(bodies_[i].mass);
-    const Vec2d velocity(motions_[i].velocity);
-    const auto spin = static_cast<double>(motions_[i].spin);
-    e.kinetic += 0.5 * (mass * length_squared(velocity) + static_cast<double>(bodies_[i].inertia) * spin * spin);
-    const double weight = mass * static_cast<double>(bodies_[i].gravity_scale);
-    e.potential -= weight * dot(Vec2d(effective_gravity()), Vec2d(bodies_[i].center));
+    const double weight = static_cast<double>(bodies_[i].mass) * static_cast<double>(bodies_[i].gravity_scale);
+    potential -= weight * dot(Vec2d(effective_gravity()), Vec2d(bodies_[i].center + motions_[i].delta));
   }
   for (const Joint& joint : joints_) {
     if (!joint.alive || joint.kind != JointKind::spring) continue;
     const auto stretch = static_cast<double>(length(anchor_gap(joint, bodies_, motions_).gap) - joint.length);
-    e.potential += 0.5 * static_cast<double>(joint.stiffness) * stretch * stretch;
+    potential += 0.5 * static_cast<double>(joint.stiffness) * stretch * stretch;
   }
+  if (on(Effect::attractor)) {
+    for (const AttractorDef& attractor : attractors_) potential += potential_of(attractor, bodies_, motions_);
+  }
+  if (on(Effect::nbody)) potential += mutual_potential(gravitational_constant_, bodies_, motions_);
+  return potential;
+}
+
+Energy World::energy() const {
+  Energy e;
+  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].type != BodyType::dynamic) continue;
+    const auto spin = static_cast<double>(motions_[i].spin);
+    e.kinetic += 0.5 * (static_cast<double>(bodies_[i].mass) * length_squared(Vec2d(motions_[i].velocity)) +
+                        static_cast<double>(bodies_[i].inertia) * spin * spin);
+  }
+  e.potential = potential_energy();
   e.booked_work = booked_work_;
   return e;
 }

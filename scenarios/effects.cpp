@@ -28,6 +28,7 @@ EffectSet called_for_by(const BodyDef& body) {
   for (const ShapeDef& shape : body.shapes) {
     if (shape.restitution > 0) set.add(Effect::restitution);
   }
+  if (body.drag && body.drag->acts()) set.add(Effect::drag);
   if (body.bullet) set.add(Effect::ccd);
   if (body.sensor) set.add(Effect::sensors);
   return set;

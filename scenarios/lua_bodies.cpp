@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "scenarios/effects.h"
+#include "scenarios/lua_forces.h"
 #include "scenarios/lua_values.h"
 
 namespace proofreel {
@@ -31,7 +32,7 @@ constexpr Name body_keys[] = {{"name"},
                               {"category"},
                               {"mask"},
                               {"color"},
-                              {"drag", false},
+                              {"drag"},
                               {"surface_speed", false},
                               {"rolling_resistance", false}};
 
@@ -122,6 +123,7 @@ void read_matter(const Fields& fields, ChangeBody& change) {
   change.restitution = read_restitution(fields);
   change.bullet = fields.boolean("bullet");
   change.sensor = fields.boolean("sensor");
+  change.drag = read_drag(fields);
   change.color = read_color(fields);
 }
 
@@ -247,6 +249,7 @@ void apply_keys(BodyRecord& record, const BodyKeys& keys) {
   put(def.filter.mask, keys.mask);
   if (change.mass) def.mass = change.mass;
   if (change.inertia) def.inertia = change.inertia;
+  if (change.drag) def.drag = change.drag;
   if (change.color) def.color = change.color;
   put(record.material.density, change.density);
   put(record.material.friction, change.friction);

@@ -47,6 +47,7 @@ void LuaScript::open(lua_State* state) {
   open_bodies(state);
   open_body_methods(state);
   open_joints(state);
+  open_forces(state);
   open_time(state);
   open_picture(state);
   open_measures(state);
