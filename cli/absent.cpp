@@ -15,7 +15,7 @@ Subcommand absent(CLI::App& program, const char* name, const char* why) {
 
 std::vector<Subcommand> absent_commands(CLI::App& program) {
   std::vector<Subcommand> commands;
-  for (const char* name : {"diff", "study", "scorecard", "explain"}) {
+  for (const char* name : {"diff", "study", "scorecard"}) {
     commands.push_back(absent(program, name, " is not built yet."));
   }
 #ifndef PROOFREEL_PICTURES

@@ -9,6 +9,7 @@ namespace proofreel {
 Subcommand list_command(CLI::App& program);
 Subcommand run_command(CLI::App& program);
 Subcommand check_command(CLI::App& program);
+Subcommand explain_command(CLI::App& program);
 #ifdef PROOFREEL_PICTURES
 Subcommand render_command(CLI::App& program);
 Subcommand bless_command(CLI::App& program);

@@ -19,7 +19,7 @@ std::vector<Subcommand> add_commands(CLI::App& program) {
 #ifdef PROOFREEL_PICTURES
       render_command(program),
 #endif
-      check_command(program),
+      check_command(program),  explain_command(program),
 #ifdef PROOFREEL_PICTURES
       bless_command(program),  doctor_command(program),
 #endif

@@ -9,6 +9,9 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
+/// Separations that differ by less than this part of the smaller detail are equal.
+constexpr real tie = real(1e-4);
+
 /// A face, and the corner of the other shape that lies farthest back along its normal.
 struct Axis {
   bool of_a = true;
@@ -32,9 +35,21 @@ enum class Admission {
   full
 };
 
+/// Whether all corners that lie farthest back along the normal may be pushed against: of a parallel face both do, and
+/// which of them is touched nobody knows yet.
+bool corners_admit(const SeamedHull& inc, Vec2 normal, int farthest) {
+  if (inc.seam == nullptr) return true;
+  const real level = dot(normal, inc.hull.points[farthest]) + tie * inc.hull.detail;
+  for (int i = 0; i < inc.hull.count; ++i) {
+    if (dot(normal, inc.hull.points[i]) > level) continue;
+    if (!inc.seam->is_ridge(i) || !inc.seam->admits(inc.hull, i, -normal)) return false;
+  }
+  return true;
+}
+
 Admission admission(const SeamedHull& ref, int face, const SeamedHull& inc, int corner) {
   const Vec2 normal = ref.hull.normals[face];
-  if (inc.seam != nullptr && !inc.seam->admits(inc.hull, corner, -normal)) return Admission::none;
+  if (!corners_admit(inc, normal, corner)) return Admission::none;
   if (ref.seam == nullptr) return Admission::full;
   const real along = dot(inc.hull.points[corner] - ref.hull.points[face], perp(normal));
   if (!ref.seam->hides(ref.hull, face, along)) return Admission::full;
@@ -165,26 +180,41 @@ real thinner(const Hull& a, const Hull& b) {
   return std::min(a.thickness, b.thickness);
 }
 
+/// A face that is not the way out may only push where it really stands in the way, and not at its joined end, into
+/// which the other shape reaches no deeper than `reach` through the neighbour.
+void drop_inner_corner(const SeamedHull& ref, int face, real reach, Manifold& m) {
+  if (ref.seam == nullptr) return;
+  const int count = m.count;
+  m.count = 0;
+  for (int k = 0; k < count; ++k) {
+    const real along = dot(m.points[k].point - ref.hull.points[face], perp(ref.hull.normals[face]));
+    if (!ref.seam->is_in_inner_corner(ref.hull, face, along, reach)) m.points[m.count++] = m.points[k];
+  }
+}
+
 /// Both in A's frame. An admitted axis that is far worse than a hidden one belongs to another side of the shape: then
-/// the neighbour has the contact. Only in an inner corner of the common outline, behind the faces of both, it may be
-/// that each of them is covered there by the other; then both push.
+/// the neighbour has the contact. Only in an inner corner of the common outline, behind the faces of both shapes, each
+/// face is covered there by the other; then both push.
 Manifold collide_local(const SeamedHull& a, const SeamedHull& b, real margin) {
-  const real thin = thinner(a.hull, b.hull);
+  const real slack = tie * std::min(a.hull.detail, b.hull.detail);
   AxisSearch found;
   search(a, b, true, 0, found);
-  search(b, a, false, real(1e-4) * thin, found);
+  search(b, a, false, slack, found);
   if (found.largest > margin + a.hull.radius + b.hull.radius) return {};
-  const real worst = found.largest - real(0.25) * thin;
+  const real worst = found.largest - real(0.25) * thinner(a.hull, b.hull);
   Manifold m;
   if (found.best.separation > worst) {
     m = collide_face(a, b, found.best, false, margin);
+    const bool way_out = found.best.separation >= found.largest - 2 * slack;
+    const real reach = 2 * std::abs(found.largest) + slack;
+    if (!way_out) drop_inner_corner(found.best.of_a ? a : b, found.best.face, reach, m);
   } else if (found.beyond.separation > worst) {
     m = collide_face(a, b, found.beyond, true, margin);
   }
-  const bool apart = found.largest > real(1e-4) * thin;
+  const bool apart = found.largest > slack;
   if (!apart) return m;
   const Manifold corners = collide_corners(a, b, margin);
-  return deepest(corners) < deepest(m) - real(1e-6) * thin ? corners : m;
+  return deepest(corners) < deepest(m) - real(0.01) * slack ? corners : m;
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ Manifold narrow_phase(const Shape& a, const Pose& pose_a, const Shape& b, const 
 
 /// A speculative contact is a wall across the way. Before it is built, the two bodies are moved on at their present
 /// speeds until they touch, step by step as far as they can go without touching (conservative advancement, Mirtich
-/// 1996): if they pass each other there is none, and otherwise it stands where they will meet.
+/// 1996): if they pass each other there is none, and otherwise it stands where they will meet. Its points and `a_to_b`
+/// are those of that moment, so that the impulse acts where the bodies will touch and not where they are now.
 Manifold predicted(const Manifold& now, const Shape& a, Pose pose_a, const Motion& ma, const Shape& b, Pose pose_b,
-                   const Motion& mb, real near, real dt, real bound) {
+                   const Motion& mb, real near, real dt, real bound, Vec2& a_to_b) {
   Manifold m = now;
   real t = 0;
   for (int step = 0; step < 32; ++step) {
@@ -37,7 +38,7 @@ Manifold predicted(const Manifold& now, const Shape& a, Pose pose_a, const Motio
     m = narrow_phase(a, pose_a, b, pose_b, bound + near);
     if (m.count == 0) return {};
   }
-  const Vec2 a_to_b = pose_b.position - pose_a.position;
+  a_to_b = pose_b.position - pose_a.position;
   for (int k = 0; k < m.count; ++k) {
     const Vec2 arm = m.points[k].point;
     const real approach = dot(mb.velocity_at(arm - a_to_b) - ma.velocity_at(arm), m.normal);
@@ -83,9 +84,10 @@ void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const s
   const Pose pose_a{body_a.center, ma.rotation};
   const Pose pose_b{body_b.center, mb.rotation};
   contact.manifold = narrow_phase(a, pose_a, b, pose_b, margin);
+  contact.a_to_b = pose_b.position - pose_a.position;
   const real near = real(0.02) * thin;
   if (contact.manifold.count > 0 && deepest(contact.manifold) > near) {
-    contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound);
+    contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound, contact.a_to_b);
   }
   carry_over(old, old_impulses, contact);
 }

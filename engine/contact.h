@@ -32,6 +32,7 @@ struct Contact {
   real friction_sliding = 0;
   real restitution = 0;
   Manifold manifold;
+  Vec2 a_to_b;  ///< from A's centre to B's when they touch as the manifold says: now, or at the predicted impact
   PointImpulse impulses[2];
 };
 

@@ -106,8 +106,7 @@ real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const M
 }
 
 void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
-                            const std::vector<Body>& bodies, const std::vector<Motion>& motions, Softness softness,
-                            bool friction) {
+                            const std::vector<Motion>& motions, Softness softness, bool friction) {
   softness_ = softness;
   friction_ = friction;
   constraints_.clear();
@@ -125,10 +124,9 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
     c.friction_sliding = contact.friction_sliding;
     c.restitution = contact.restitution;
     c.length = pair_length(shapes[contact.shape_a], shapes[contact.shape_b]);
-    const Vec2 a_to_b = bodies[c.body_b].center - bodies[c.body_a].center;
     for (int k = 0; k < c.count; ++k) {
-      c.points[k] =
-          make_point(c, contact.manifold.points[k], contact.impulses[k], a_to_b, motions[c.body_a], motions[c.body_b]);
+      c.points[k] = make_point(c, contact.manifold.points[k], contact.impulses[k], contact.a_to_b, motions[c.body_a],
+                               motions[c.body_b]);
     }
   }
 }

@@ -57,7 +57,7 @@ real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const M
 class ContactSolver {
  public:
   /// Collects the contacts that have points. `friction` false leaves friction out altogether.
-  void prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
+  void prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
                const std::vector<Motion>& motions, Softness softness, bool friction);
   /// Starts a substep: applies `share` of the impulses of the one before.
   void begin_substep(std::vector<Motion>& motions, real share);

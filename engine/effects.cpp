@@ -43,25 +43,51 @@ bool EffectCensus::anything_meets() const {
   return false;
 }
 
-EffectSet EffectCensus::inferred() const {
-  EffectSet set;
-  const auto add_if = [&set](bool called_for, Effect effect) {
-    if (called_for) set.add(effect);
+std::vector<EffectDecision> EffectCensus::decisions() const {
+  std::vector<EffectDecision> all;
+  const auto decide = [&all](Effect effect, bool called_for, const char* reason_on, const char* reason_off) {
+    all.push_back({effect, called_for, called_for ? reason_on : reason_off});
   };
   const bool contacts = anything_meets();
-  add_if(gravity_, Effect::gravity);
-  add_if(drag_, Effect::drag);
-  add_if(drag_ && wind_, Effect::wind);
-  add_if(attractor_, Effect::attractor);
-  add_if(nbody_, Effect::nbody);
-  add_if(rocket_, Effect::rocket);
-  add_if(spring_, Effect::springs);
-  add_if(contacts, Effect::contacts);
-  add_if(contacts && friction_, Effect::friction);
-  add_if(contacts && restitution_, Effect::restitution);
-  add_if(contacts, Effect::ccd);
-  add_if(rigid_joint_, Effect::joints);
-  add_if(contacts && sensor_, Effect::sensors);
+  const char* const nothing_meets = "no two bodies can meet";
+  const auto at_contacts = [&](Effect effect, bool called_for, const char* reason_on, const char* reason_off) {
+    decide(effect, contacts && called_for, reason_on, contacts ? reason_off : nothing_meets);
+  };
+  decide(Effect::gravity, gravity_, "gravity is not zero", "gravity is zero");
+  decide(Effect::drag, drag_, "drag is given", "no drag is given");
+  decide(Effect::wind, drag_ && wind_, "wind is given",
+         wind_ ? "wind is given, but nothing drags" : "no wind is given");
+  decide(Effect::attractor, attractor_, "an attractor is given", "no attractor is given");
+  decide(Effect::nbody, nbody_, "bodies attract each other", "bodies do not attract each other");
+  decide(Effect::springs, spring_, "there is a spring", "there is no spring");
+  decide(Effect::rocket, rocket_, "there is a rocket", "there is no rocket");
+  decide(Effect::contacts, contacts, "bodies can meet", nothing_meets);
+  at_contacts(Effect::friction, friction_, "bodies can meet, and a shape has friction", "no shape has friction");
+  at_contacts(Effect::restitution, restitution_, "bodies can meet, and a shape has restitution",
+              "no shape has restitution");
+  at_contacts(Effect::ccd, true, "bodies can meet, and none may pass through another", "");
+  decide(Effect::joints, rigid_joint_, "there is a rigid joint", "there is no rigid joint");
+  at_contacts(Effect::sensors, sensor_, "bodies can meet, and one is a sensor", "no body is a sensor");
+  return all;
+}
+
+std::vector<EffectDecision> EffectCensus::decisions(EffectSet listed) const {
+  std::vector<EffectDecision> all = decisions();
+  for (EffectDecision& decision : all) {
+    const bool called_for = decision.on;
+    decision.on = listed.has(decision.effect);
+    if (decision.on == called_for) continue;
+    decision.why = decision.on ? "the list of effects names it, though " + decision.why
+                               : "the list of effects omits it, though " + decision.why;
+  }
+  return all;
+}
+
+EffectSet EffectCensus::inferred() const {
+  EffectSet set;
+  for (const EffectDecision& decision : decisions()) {
+    if (decision.on) set.add(decision.effect);
+  }
   return set;
 }
 

@@ -2,11 +2,19 @@
 
 /// Which effects a scene calls for. A scene pays only for what is on.
 
+#include <string>
 #include <vector>
 
 #include "engine/scene.h"
 
 namespace proofreel {
+
+/// Whether an effect acts, and the reason in words: "no shape has restitution".
+struct EffectDecision {
+  Effect effect{};
+  bool on = false;
+  std::string why;
+};
 
 /// Counts what a scene holds, to infer from it what must be simulated. Only ever grows: an effect that is on with
 /// nothing to act on changes no bit of the motion.
@@ -17,6 +25,10 @@ class EffectCensus {
   void add(const BodyDef& body);
   void add(const JointDef& joint);
   EffectSet inferred() const;
+  /// What is inferred, effect by effect, with the reasons.
+  std::vector<EffectDecision> decisions() const;
+  /// The same when a list has decided.
+  std::vector<EffectDecision> decisions(EffectSet listed) const;
 
  private:
   /// Bodies that meet the same others; most scenes have very few of these.

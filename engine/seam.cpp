@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/elementary.h"
@@ -10,7 +11,7 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
-/// Corners nearer than this part of the smaller shape's extent are one corner.
+/// Corners nearer than this part of the smallest detail of two shapes are one corner.
 constexpr real joining_distance = real(1e-4);
 /// Directions within this angle are one direction (rad).
 constexpr double one_direction = 1e-3;
@@ -44,10 +45,21 @@ struct Surroundings {
   bool buried = false;  ///< inside another shape
 };
 
-real extent(const Hull& hull) {
+/// The least of a shape's thickness and the lengths of its edges.
+real smallest_detail(const Hull& hull) {
+  real least = hull.detail;
+  for (int i = 0; i < hull.count; ++i) least = std::min(least, distance(hull.points[i], hull.points[after(hull, i)]));
+  return least;
+}
+
+/// How near is joined: far below the size of anything that could fit between, but not below what rounding leaves.
+real joining_reach(const Hull& a, const Hull& b) {
   real farthest = 0;
-  for (int i = 1; i < hull.count; ++i) farthest = std::max(farthest, distance(hull.points[0], hull.points[i]));
-  return farthest;
+  for (const Hull* hull : {&a, &b}) {
+    for (int i = 0; i < hull->count; ++i) farthest = std::max(farthest, length(hull->points[i]));
+  }
+  const real rounding = 16 * std::numeric_limits<real>::epsilon() * farthest;
+  return std::max(joining_distance * std::min(smallest_detail(a), smallest_detail(b)), rounding);
 }
 
 Sector sector_at(const Hull& hull, int corner) {
@@ -133,6 +145,11 @@ CornerSeam corner_seam(const Hull& hull, int i, const Surroundings& around) {
   const auto convex = [](const FreeSector& free) { return free.width > std::numbers::pi + one_direction; };
   seam.before_exposed = !around.buried && ahead.width > 0;
   seam.after_exposed = !around.buried && behind.width > 0;
+  seam.before_convex = seam.before_exposed && convex(ahead);
+  seam.after_convex = seam.after_exposed && convex(behind);
+  const auto concave = [](const FreeSector& free) { return free.width < std::numbers::pi - one_direction; };
+  seam.before_concave = seam.joined && concave(ahead);
+  seam.after_concave = seam.joined && concave(behind);
   seam.before_until = convex(ahead) ? -perp(ahead.end) : normal_before;
   seam.after_from = convex(behind) ? perp(behind.end) : normal_after;
   return seam;
@@ -192,6 +209,17 @@ bool Seam::admits(const Hull& hull, int i, Vec2 normal) const {
   return corner.after_exposed && between(corner.after_from, normal, hull.normals[i]);
 }
 
+bool Seam::is_ridge(int i) const {
+  const CornerSeam& corner = corners[i];
+  return !corner.joined || corner.before_convex || corner.after_convex;
+}
+
+bool Seam::is_in_inner_corner(const Hull& hull, int i, real along, real reach) const {
+  const int end = after(hull, i);
+  const real whole = distance(hull.points[i], hull.points[end]);
+  return (corners[i].after_concave && along < reach) || (corners[end].before_concave && along > whole - reach);
+}
+
 bool Seam::hides(const Hull& hull, int i, real along) const {
   const real whole = distance(hull.points[i], hull.points[after(hull, i)]);
   return (hidden_from_start[i] > 0 && along < hidden_from_start[i]) ||
@@ -206,7 +234,7 @@ bool find_seam(const Hull& own, std::span<const Hull> others, Seam& seam) {
   std::vector<Surroundings> around(static_cast<std::size_t>(own.count));
   for (const Hull& other : others) {
     if (!may_join(own, other)) continue;
-    const real near = joining_distance * std::min(extent(own), extent(other));
+    const real near = joining_reach(own, other);
     for (int i = 0; i < own.count; ++i) {
       add_surroundings(other, own.points[i], near, around[static_cast<std::size_t>(i)]);
       if (own.radius <= 0) hide_edge(own, i, other, near, seam);

@@ -23,6 +23,10 @@ struct CornerSeam {
   bool joined = false;         ///< otherwise nothing is hidden here, and the rest does not count
   bool before_exposed = true;  ///< the edge that ends here
   bool after_exposed = true;   ///< the edge that begins here
+  bool before_convex = false;  ///< the common outline turns outwards here, seen from the edge before
+  bool after_convex = false;
+  bool before_concave = false;  ///< it turns inwards here
+  bool after_concave = false;
   Vec2 before_until;
   Vec2 after_from;
 };
@@ -34,6 +38,12 @@ struct Seam {
 
   /// Whether the shape can push along `normal` (unit, hull's frame) at corner `i` of `hull`.
   bool admits(const Hull& hull, int i, Vec2 normal) const;
+  /// Whether the common outline sticks out at corner `i`. Where it goes straight on or turns inwards, the faces beside
+  /// the corner push, and never the corner.
+  bool is_ridge(int i) const;
+  /// Whether edge `i` of `hull` ends within `reach` of `along` metres from its first corner, at an inner corner of the
+  /// common outline.
+  bool is_in_inner_corner(const Hull& hull, int i, real along, real reach) const;
   /// Whether a neighbour covers the outside of edge `i` of `hull` at `along` metres from its first corner.
   bool hides(const Hull& hull, int i, real along) const;
   /// Whether neighbours cover all of edge `i`.

@@ -14,6 +14,7 @@
 #include "engine/polygon.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
+#include "engine/stages.h"
 #include "engine/state_hash.h"
 
 namespace proofreel {
@@ -114,6 +115,10 @@ class Simulation {
   /// XXH3 of poses and velocities: equal exactly when all bits of the motion are.
   virtual std::uint64_t state_hash() const = 0;
   virtual const std::optional<Failure>& failure() const = 0;
+  /// Which effects act at present, and why. Empty where nobody knows.
+  virtual std::vector<EffectDecision> effects() const { return {}; }
+  /// From now on adds to `times` what every stage takes; null ends it. Where nobody measures, all stay zero.
+  virtual void time_stages(StageTimes* times) { static_cast<void>(times); }
 };
 
 /// The engine, in the precision the scene's method names. The scene must be sound: `problem_with` finds nothing in it.

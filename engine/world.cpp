@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "engine/attraction.h"
-#include "engine/drag.h"
-#include "engine/impact.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -51,8 +49,8 @@ void World::step() {
   prepare_solvers();
   for (int i = 0; i < method_.substeps; ++i) substep(h_);
   ++tick_;
-  book_work();
-  end_tick();
+  timed(StepStage::motion, [this] { book_work(); });
+  timed(StepStage::motion, [this] { end_tick(); });
   collect_events();
   detect_failure();
 }
@@ -93,136 +91,83 @@ void World::begin_tick() {
 }
 
 void World::find_contacts() {
-  update_boxes();
-  drop_parted_contacts();
-  for (const ShapePair pair : broad_phase_.new_pairs(shapes_, bodies_)) {
-    Contact contact;
-    contact.shape_a = pair.a;
-    contact.shape_b = pair.b;
-    contact.body_a = shapes_[pair.a].body;
-    contact.body_b = shapes_[pair.b].body;
-    contact.sensor = bodies_[contact.body_a].sensor || bodies_[contact.body_b].sensor;
-    mix_materials(contact, shapes_[pair.a], shapes_[pair.b]);
-    contacts_.push_back(contact);
-  }
-  for (Contact& contact : contacts_) {
-    if (contact.sensor && !on(Effect::sensors)) continue;
-    if (hinged_together(contact.body_a, contact.body_b)) {
-      contact.manifold.count = 0;
-      continue;
-    }
-    update_manifold(contact, shapes_, bodies_, motions_, dt_, on(Effect::ccd));
-  }
-}
-
-bool World::hinged_together(BodyIndex a, BodyIndex b) const {
-  return on(Effect::joints) && hinged_.contains(unordered_key(a, b));
-}
-
-void World::update_boxes() {
-  for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
-    const Shape& shape = shapes_[i];
-    if (!shape.alive || bodies_[shape.body].type == BodyType::fixed) continue;
-    const Motion& motion = motions_[shape.body];
-    const real turn =
-        std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
-    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach);
-    broad_phase_.move(i, shape, box, dt_ * motion.velocity);
-  }
-}
-
-void World::drop_parted_contacts() {
-  std::erase_if(contacts_, [this](const Contact& c) {
-    if (broad_phase_.boxes_overlap(shapes_[c.shape_a], shapes_[c.shape_b])) return false;
-    broad_phase_.forget({c.shape_a, c.shape_b});
-    return true;
-  });
+  timed(StepStage::broad_phase, [this] { find_pairs(); });
+  timed(StepStage::narrow_phase, [this] { update_manifolds(); });
 }
 
 void World::prepare_solvers() {
   if (on(Effect::contacts)) {
-    const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
-    contact_solver_.prepare(contacts_, shapes_, bodies_, motions_, make_softness(hertz, contact_damping_ratio, h_),
-                            on(Effect::friction));
+    timed(StepStage::contact_solver, [this] {
+      const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
+      contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
+                              on(Effect::friction));
+    });
   }
-  if (on(Effect::joints)) joint_solver_.linearize(joints_, bodies_, motions_);
+  if (on(Effect::joints)) {
+    timed(StepStage::joint_solver, [this] { joint_solver_.linearize(joints_, bodies_, motions_); });
+  }
 }
 
 /// Verlet splits the forces in two halves, one before the drift and one after it; symplectic Euler gives them all
-/// before. What changes velocities by a law of its own (burning rockets, drag) lies around all of that, in the same
-/// halves: there positions and velocities belong to one time, so that the work done is booked exactly.
+/// before. Drag and rockets change velocities by laws of their own and lie around the kicks, in the same halves and in
+/// mirrored order: there positions and velocities belong to one time, so that the work done is booked exactly.
 void World::substep(real h) {
   const bool verlet = method_.integrator == Integrator::verlet;
   const real share = verlet ? real(0.5) : real(1);
-  const bool joints = on(Effect::joints) && !joint_solver_.empty();
-  if (on(Effect::restitution)) {
-    const real resting_speed = h * length(effective_gravity());
-    resolve_impacts(contact_solver_.constraints(), bodies_, motions_, h, resting_speed, on(Effect::friction));
-  }
-  if (verlet && on(Effect::drag)) drag_all(share * h);
-  if (verlet && on(Effect::rocket)) burn_rockets(share * h);
+  if (on(Effect::restitution)) timed(StepStage::restitution, [&] { bounce(h); });
+  if (verlet) slow_down(share * h);
+  if (verlet) thrust(share * h);
   kick(share * h);
-  contact_solver_.begin_substep(motions_, share);
-  if (joints) joint_solver_.begin_substep(joints_, motions_);
-  for (int i = 0; i < method_.iterations; ++i) {
-    contact_solver_.solve(motions_, h);
-    if (joints) joint_solver_.solve_positions(joints_, bodies_, motions_, h);
-  }
-  drift_all(h);
-  if (joints) joint_solver_.linearize(joints_, bodies_, motions_);
-  if (verlet) {
-    kick(share * h);
-    contact_solver_.add_share(motions_, share);
-  }
-  if (on(Effect::rocket)) burn_rockets(share * h);
-  if (on(Effect::drag)) drag_all(share * h);
-  for (int i = 0; i < method_.iterations; ++i) {
-    contact_solver_.relax(motions_, h);
-    if (joints) joint_solver_.solve_velocities(joints_, motions_);
-  }
-  contact_solver_.end_substep();
+  solve(h, share);
+  timed(StepStage::motion, [&] { drift_all(h); });
+  if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(joints_, bodies_, motions_); });
+  if (verlet) kick(share * h);
+  if (verlet) contact_solver_.add_share(motions_, share);
+  thrust(share * h);
+  slow_down(share * h);
+  relax(h);
+}
+
+void World::slow_down(real h) {
+  if (on(Effect::drag)) timed(StepStage::drag, [&] { drag_all(h); });
+}
+
+void World::thrust(real h) {
+  if (on(Effect::rocket)) timed(StepStage::rocket, [&] { burn_rockets(h); });
 }
 
 void World::kick(real h) {
-  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].type != BodyType::dynamic) continue;
-    motions_[i].velocity += h * bodies_[i].acceleration;
-    motions_[i].spin += h * bodies_[i].angular_acceleration;
-  }
-  if (on(Effect::attractor) || on(Effect::nbody)) kick_by_attraction(h);
-  if (!on(Effect::springs)) return;
-  for (Joint& joint : joints_) {
-    if (joint.alive && joint.kind == JointKind::spring) kick_spring(joint, bodies_, motions_, h);
-  }
-}
-
-void World::kick_by_attraction(real h) {
+  timed(on(Effect::gravity) ? StepStage::gravity : StepStage::motion, [&] { accelerate(h); });
   if (on(Effect::attractor)) {
-    for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, motions_, h);
+    timed(StepStage::attractor, [&] {
+      for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, motions_, h);
+    });
   }
-  if (on(Effect::nbody)) kick_towards_each_other(gravitational_constant_, bodies_, motions_, h);
+  if (on(Effect::nbody)) {
+    timed(StepStage::nbody, [&] { kick_towards_each_other(gravitational_constant_, bodies_, motions_, h); });
+  }
+  if (on(Effect::springs)) timed(StepStage::springs, [&] { kick_springs(h); });
 }
 
-/// What a rocket does is work from outside: its fuel holds energy that nobody counts.
-void World::burn_rockets(real h) {
-  for (Rocket& rocket : rockets_) {
-    if (rocket.fuel <= 0) continue;
-    const double before = potential_energy();
-    booked_work_ += burn(rocket, bodies_[rocket.body], motions_[rocket.body], h);
-    booked_work_ += potential_energy() - before;
-  }
-}
-
-void World::drag_all(real h) {
-  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
-  for (BodyIndex i = 1; i < bodies_.size(); ++i) {
-    const DragDef& drag = bodies_[i].drag ? *bodies_[i].drag : drag_;
-    if (bodies_[i].type == BodyType::dynamic && drag.acts()) apply_drag(motions_[i], drag, wind, h);
+/// Velocities that lead to where contacts and joints want the bodies after the drift.
+void World::solve(real h, real share) {
+  const bool joints = on(Effect::joints) && !joint_solver_.empty();
+  contact_solver_.begin_substep(motions_, share);
+  if (joints) joint_solver_.begin_substep(joints_, motions_);
+  for (int i = 0; i < method_.iterations; ++i) {
+    if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.solve(motions_, h); });
+    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(joints_, bodies_, motions_, h); });
   }
 }
 
-void World::drift_all(real h) {
-  for (Motion& motion : motions_) drift(motion, h);
+/// Takes out of the velocities what was only there to correct positions.
+void World::relax(real h) {
+  const bool joints = on(Effect::joints) && !joint_solver_.empty();
+  for (int i = 0; i < method_.iterations; ++i) {
+    if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });
+    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(joints_, motions_); });
+  }
+  contact_solver_.end_substep();
 }
 
 void World::end_tick() {
@@ -304,6 +249,10 @@ const char* World::stage_of_failure(BodyIndex body) const {
     }
   }
   return "integration";
+}
+
+bool World::hinged_together(BodyIndex a, BodyIndex b) const {
+  return on(Effect::joints) && hinged_.contains(unordered_key(a, b));
 }
 
 std::unique_ptr<Simulation> make_world(const Scene& scene) { return std::make_unique<World>(scene); }

@@ -2,6 +2,7 @@
 
 /// The engine behind the Simulation interface: owns all bodies, contacts and joints and steps them.
 
+#include <chrono>
 #include <memory>
 #include <unordered_set>
 #include <vector>
@@ -35,26 +36,40 @@ class World final : public Simulation {
   Energy energy() const override;
   std::uint64_t state_hash() const override;
   const std::optional<Failure>& failure() const override { return failure_; }
+  std::vector<EffectDecision> effects() const override {
+    return listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
+  }
+  void time_stages(StageTimes* times) override { times_ = times; }
 
  private:
-  // The stages of a tick (world.cpp), in order.
+  // A tick (world.cpp), in order.
   void rebuild_if_changed();
   void begin_tick();
   void find_contacts();
-  void update_boxes();
-  void drop_parted_contacts();
   void prepare_solvers();
   void substep(real h);
+  void slow_down(real h);
+  void thrust(real h);
   void kick(real h);
-  void kick_by_attraction(real h);
-  void burn_rockets(real h);
-  void drag_all(real h);
-  void drift_all(real h);
+  void solve(real h, real share);
+  void relax(real h);
   void end_tick();
   void book_work();
   void collect_events();
   void detect_failure();
   const char* stage_of_failure(BodyIndex body) const;
+
+  // What the stages do (world_stages.cpp).
+  void find_pairs();
+  void update_boxes();
+  void drop_parted_contacts();
+  void update_manifolds();
+  void bounce(real h);
+  void accelerate(real h);
+  void kick_springs(real h);
+  void burn_rockets(real h);
+  void drag_all(real h);
+  void drift_all(real h);
 
   // Commands (world_commands.cpp).
   void execute(const CreateBody& command);
@@ -90,6 +105,9 @@ class World final : public Simulation {
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
   bool on(Effect effect) const { return effects_.has(effect); }
+  /// Runs a part of the step; somebody may want to know how long it takes.
+  template <typename Part>
+  void timed(StepStage stage, const Part& part);
 
   Method method_;
   int rate_;
@@ -121,7 +139,16 @@ class World final : public Simulation {
   double booked_work_ = 0;
   std::int64_t tick_ = 0;
   std::optional<Failure> failure_;
+  StageTimes* times_ = nullptr;
 };
+
+template <typename Part>
+void World::timed(StepStage stage, const Part& part) {
+  if (times_ == nullptr) return part();
+  const auto start = std::chrono::steady_clock::now();
+  part();
+  times_->of(stage) += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 /// The engine in this precision.
 std::unique_ptr<Simulation> make_world(const Scene& scene);

@@ -170,7 +170,7 @@ TEST_CASE("Wrong use exits with 2 and says what is wrong on standard error", "[c
 }
 
 TEST_CASE("What the design has and this program has not is said by name", "[cli]") {
-  for (const char* name : {"diff", "study", "scorecard", "explain"}) {
+  for (const char* name : {"diff", "study", "scorecard"}) {
     const Outcome o = proofreel_program({name, "a", "--json", "b"});
     REQUIRE(o.status == 2);
     REQUIRE_THAT(o.err, Contains(name) && Contains("not built yet"));

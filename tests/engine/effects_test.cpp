@@ -87,3 +87,31 @@ TEST_CASE("An effect with nothing to act on changes no bit", "[effects]") {
     REQUIRE(plain->state_hash() == full->state_hash());
   }
 }
+
+TEST_CASE("Every effect is decided once, and the decisions are what is inferred", "[effects]") {
+  const Scene scene = falling_disc();
+  const std::vector<EffectDecision> decisions = simulate(scene)->effects();
+  REQUIRE(decisions.size() == effect_count);
+  EffectSet on;
+  for (const EffectDecision& decision : decisions) {
+    CHECK_FALSE(decision.why.empty());
+    if (decision.on) on.add(decision.effect);
+  }
+  CHECK(on == effects_of(scene));
+}
+
+TEST_CASE("Being timed changes no bit, and what is off takes no time", "[effects]") {
+  const Scene scene = falling_disc();
+  const auto plain = simulate(scene);
+  const auto timed = simulate(scene);
+  StageTimes times;
+  timed->time_stages(&times);
+  for (int i = 0; i < 240; ++i) {
+    plain->step();
+    timed->step();
+    REQUIRE(plain->state_hash() == timed->state_hash());
+  }
+  CHECK(times.of(StepStage::gravity) > 0);
+  CHECK(times.of(StepStage::broad_phase) == 0);
+  CHECK(times.of(StepStage::drag) == 0);
+}

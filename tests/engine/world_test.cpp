@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/elementary.h"
 #include "tests/engine/random.h"
 #include "tests/engine/scenes.h"
 
@@ -531,6 +532,33 @@ TEST_CASE("A number that is not finite stops the simulation and names tick, body
   const std::int64_t stopped = simulation->tick();
   simulation->step();
   CHECK(simulation->tick() == stopped);
+}
+
+TEST_CASE("A smooth elastic disc is reflected without spin, at whatever speed, slope and moment it arrives") {
+  for (const double speed : {3.0, 14.8, 60.0}) {
+    for (const double slope : {0.2, 0.8, 1.3}) {
+      for (int phase = 0; phase < 5; ++phase) {
+        Scene scene;
+        scene.gravity = {0, 0};
+        ShapeDef shape = disc_shape(0.05);
+        shape.restitution = 1;
+        shape.friction = {0, 0};
+        BodyDef disc = body_with(shape, {0, 0.5 + 0.013 * phase});
+        disc.velocity = {speed * elementary::cos(slope), -speed * elementary::sin(slope)};
+        BodyDef wall = body_with(box_shape(1, 1), {}, BodyType::fixed);
+        wall.shapes[0].points = {{100, 0}, {-100, 0}};
+        wall.shapes[0].friction = {0, 0};
+        scene.bodies = {disc, wall};
+        const auto simulation = simulate(scene);
+        run(*simulation, 1.2);
+        const BodyState state = simulation->body(BodyId{1});
+        INFO(speed << " m/s, slope " << slope << ", phase " << phase);
+        CHECK(state.spin == Approx(0).margin(pick(1e-9, 1e-2)));
+        CHECK(state.velocity.x == Approx(disc.velocity.x).epsilon(pick(1e-9, 1e-4)));
+        CHECK(state.velocity.y == Approx(-disc.velocity.y).epsilon(pick(1e-9, 1e-4)));
+      }
+    }
+  }
 }
 
 TEST_CASE("Pairs found by the broad phase are all the shapes whose boxes overlap", "[world]") {

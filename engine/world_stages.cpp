@@ -1,0 +1,102 @@
+// The parts of a step, each of which runs only where the scene calls for it (world.cpp puts them together).
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/drag.h"
+#include "engine/impact.h"
+#include "engine/world.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+void World::find_pairs() {
+  update_boxes();
+  drop_parted_contacts();
+  for (const ShapePair pair : broad_phase_.new_pairs(shapes_, bodies_)) {
+    Contact contact;
+    contact.shape_a = pair.a;
+    contact.shape_b = pair.b;
+    contact.body_a = shapes_[pair.a].body;
+    contact.body_b = shapes_[pair.b].body;
+    contact.sensor = bodies_[contact.body_a].sensor || bodies_[contact.body_b].sensor;
+    mix_materials(contact, shapes_[pair.a], shapes_[pair.b]);
+    contacts_.push_back(contact);
+  }
+}
+
+void World::update_boxes() {
+  for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
+    const Shape& shape = shapes_[i];
+    if (!shape.alive || bodies_[shape.body].type == BodyType::fixed) continue;
+    const Motion& motion = motions_[shape.body];
+    const real turn =
+        std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
+    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach);
+    broad_phase_.move(i, shape, box, dt_ * motion.velocity);
+  }
+}
+
+void World::drop_parted_contacts() {
+  std::erase_if(contacts_, [this](const Contact& c) {
+    if (broad_phase_.boxes_overlap(shapes_[c.shape_a], shapes_[c.shape_b])) return false;
+    broad_phase_.forget({c.shape_a, c.shape_b});
+    return true;
+  });
+}
+
+void World::update_manifolds() {
+  for (Contact& contact : contacts_) {
+    if (contact.sensor && !on(Effect::sensors)) continue;
+    if (hinged_together(contact.body_a, contact.body_b)) {
+      contact.manifold.count = 0;
+      continue;
+    }
+    update_manifold(contact, shapes_, bodies_, motions_, dt_, on(Effect::ccd));
+  }
+}
+
+void World::bounce(real h) {
+  const real resting_speed = h * length(effective_gravity());
+  resolve_impacts(contact_solver_.constraints(), bodies_, motions_, h, resting_speed, on(Effect::friction));
+}
+
+/// By gravity, and by what commands ask for during this tick.
+void World::accelerate(real h) {
+  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].type != BodyType::dynamic) continue;
+    motions_[i].velocity += h * bodies_[i].acceleration;
+    motions_[i].spin += h * bodies_[i].angular_acceleration;
+  }
+}
+
+void World::kick_springs(real h) {
+  for (Joint& joint : joints_) {
+    if (joint.alive && joint.kind == JointKind::spring) kick_spring(joint, bodies_, motions_, h);
+  }
+}
+
+/// What a rocket does is work from outside: its fuel holds energy that nobody counts.
+void World::burn_rockets(real h) {
+  for (Rocket& rocket : rockets_) {
+    if (rocket.fuel <= 0) continue;
+    const double before = potential_energy();
+    booked_work_ += burn(rocket, bodies_[rocket.body], motions_[rocket.body], h);
+    booked_work_ += potential_energy() - before;
+  }
+}
+
+void World::drag_all(real h) {
+  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
+  for (BodyIndex i = 1; i < bodies_.size(); ++i) {
+    const DragDef& drag = bodies_[i].drag ? *bodies_[i].drag : drag_;
+    if (bodies_[i].type == BodyType::dynamic && drag.acts()) apply_drag(motions_[i], drag, wind, h);
+  }
+}
+
+void World::drift_all(real h) {
+  for (Motion& motion : motions_) drift(motion, h);
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
