@@ -43,6 +43,7 @@ struct Corners {
   Vec2 point(int i) const { return {x.of[i], y.of[i]}; }
   Vec2 normal(int i) const { return {normal_x.of[i], normal_y.of[i]}; }
   int next(int i) const { return i + 1 < count ? i + 1 : 0; }
+  int before(int i) const { return i > 0 ? i - 1 : count - 1; }
   Face face(int i) const { return {point(i), point(next(i)), normal(i)}; }
 };
 
@@ -176,7 +177,22 @@ template <int faces, int corners, typename Observer>
   return best;
 }
 
-/// A disc's centre against a hull; the manifold's normal points from the hull to the disc.
+Manifold disc_on_face(const Corners& hull, int face, const Corners& disc, real margin) {
+  const Vec2 c = disc.point(0);
+  const Vec2 n = hull.normal(face);
+  const real separation = dot(n, c - hull.point(face));
+  return single_point(c - separation * n, c, n, hull.radius, disc.radius, separation, margin,
+                      static_cast<std::uint32_t>(face) | 0x100U);
+}
+
+/// Whether p lies between the two ends of a face.
+bool is_beside(const Corners& hull, int face, Vec2 p) {
+  const Face f = hull.face(face);
+  return dot(p - f.from, f.to - f.from) > 0 && dot(p - f.to, f.from - f.to) > 0;
+}
+
+/// A disc's centre against a hull; the manifold's normal points from the hull to the disc. Of two almost parallel faces
+/// rounding may have taken the wrong one: a corner is touched only where the centre is beside neither face.
 template <int size, typename Observer>
 Manifold collide_hull_disc(const Corners& hull, const Corners& disc, real margin, bool hull_is_a, Observer observer) {
   const Vec2 c = disc.point(0);
@@ -193,9 +209,11 @@ Manifold collide_hull_disc(const Corners& hull, const Corners& disc, real margin
   const auto feature = static_cast<std::uint32_t>(i);
   const auto next_feature = static_cast<std::uint32_t>(hull.next(i));
   if (!inside && dot(c - v1, v2 - v1) <= 0) {
+    if (const int before = hull.before(i); is_beside(hull, before, c)) return disc_on_face(hull, before, disc, margin);
     return collide_points(v1, c, hull.radius, disc.radius, n, margin, feature);
   }
   if (!inside && dot(c - v2, v1 - v2) <= 0) {
+    if (const int next = hull.next(i); is_beside(hull, next, c)) return disc_on_face(hull, next, disc, margin);
     return collide_points(v2, c, hull.radius, disc.radius, n, margin, next_feature);
   }
   return single_point(c - q.separation * n, c, n, hull.radius, disc.radius, q.separation, margin, feature | 0x100U);

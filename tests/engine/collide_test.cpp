@@ -364,6 +364,30 @@ TEST_CASE("Bare segments that are parallel or on one line have a finite manifold
   CHECK(std::abs(deepest(collide_placed(line, {capsule_shape(1, 0), {0.5, 0}, 0}, 1))) < real(1e-6));
 }
 
+TEST_CASE("A disc over an almost straight corner is as far away as the face it is beside") {
+  for (const double bend : {1e-7, 1e-5, 1e-3, 1e-1}) {
+    ShapeDef roof;
+    roof.points = {{-1, -1}, {1, -1}, {1, -bend}, {0, 0}, {-1, -bend}};
+    ShapeDef ball;
+    ball.points = {{0, 0}};
+    ball.radius = 0.1;
+    const Hull a = make_hull(roof, {0, 0});
+    const Hull b = make_hull(ball, {0, 0});
+    for (int i = -20; i <= 20; ++i) {
+      const double x = 0.045 * i;
+      const double below = std::abs(x) * bend;
+      const double truth = (0.2 + below) / std::sqrt(1 + bend * bend) - 0.1;
+      const Manifold m = collide(a, Pose{}, b, Pose{Vec2(Vec2d{x, 0.2}), Rot{}}, real(1));
+      INFO("bend " << bend << ", x = " << x);
+      REQUIRE(m.count == 1);
+      // Right over the corner it is nearest to the corner itself.
+      const double corner = std::sqrt(x * x + 0.04) - 0.1;
+      const bool beside = std::abs(x) >= 0.2 * bend;
+      CHECK(static_cast<double>(m.points[0].separation) == Approx(beside ? truth : corner).margin(pick(1e-12, 1e-5)));
+    }
+  }
+}
+
 TEST_CASE("A box that slides and rocks on a bare segment keeps its features", "[collide]") {
   const Placed line{capsule_shape(5, 0), {0, 0}, 0};
   const Placed slab{box_shape(10, 1), {0, -0.5}, 0};
