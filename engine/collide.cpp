@@ -356,7 +356,7 @@ Manifold collide_local(const Hull& a, const Hull& b, const Pose& b_in_a, real ma
 
 template <typename Observer>
 Manifold collide(const Hull& a, const Pose& pose_a, const Hull& b, const Pose& pose_b, real margin, Observer observer) {
-  const Pose b_in_a{to_local(pose_a, pose_b.position), inverse(pose_a.rotation) * pose_b.rotation};
+  const Pose b_in_a = relative_pose(pose_a, pose_b);
   Manifold m = collide_local(a, b, b_in_a, margin, observer);
   m.normal = rotate(pose_a.rotation, m.normal);
   // The second one too if there is none, which costs less than asking.

@@ -122,31 +122,43 @@ NearestPoints nearest_points(const Hull& a, const Hull& b) {
   return nearest;
 }
 
-bool admits(const SeamedHull& shape, const OutlinePoint& at, Vec2 normal) {
+Vec2 middle_of(const Hull& hull) {
+  Vec2 sum;
+  for (int i = 0; i < hull.count; ++i) sum += hull.points[i];
+  return real(1) / static_cast<real>(hull.count) * sum;
+}
+
+/// Whether `other` may touch the edge there: it is hidden where a neighbour covers it, and at an inner corner for what
+/// comes from elsewhere. Resting on a floor a body sinks in a little, and would catch on what hangs below.
+bool is_open(const SeamedHull& shape, const Hull& other, int edge, real along) {
   if (shape.seam == nullptr) return true;
-  return at.is_corner ? shape.seam->admits(shape.hull, at.edge, normal)
-                      : !shape.seam->hides(shape.hull, at.edge, at.along);
+  const real reach = real(0.1) * std::min(shape.hull.detail, other.detail);
+  return !shape.seam->hides(shape.hull, edge, along) &&
+         !shape.seam->reaches_around(shape.hull, edge, along, reach, middle_of(other));
+}
+
+bool admits(const SeamedHull& shape, const Hull& other, const OutlinePoint& at, Vec2 normal) {
+  if (!at.is_corner) return is_open(shape, other, at.edge, at.along);
+  return shape.seam == nullptr || shape.seam->admits(shape.hull, at.edge, normal);
 }
 
 /// Cores apart, a corner nearest to a corner or to a place on an edge that clipping does not reach.
 Manifold collide_corners(const SeamedHull& a, const SeamedHull& b, real margin) {
   const NearestPoints near = nearest_points(a.hull, b.hull);
   const Vec2 normal = normalized(near.on_b.point - near.on_a.point);
-  if (!admits(a, near.on_a, normal) || !admits(b, near.on_b, -normal)) return {};
+  if (!admits(a, b.hull, near.on_a, normal) || !admits(b, a.hull, near.on_b, -normal)) return {};
   const std::uint32_t feature =
       8U | static_cast<std::uint32_t>(near.on_a.edge) << 12 | static_cast<std::uint32_t>(near.on_b.edge) << 4;
   return collide_points(near.on_a.point, near.on_b.point, a.hull.radius, b.hull.radius, normal, margin, feature);
 }
 
-/// Drops the points at which the reference face is hidden.
-void drop_hidden(const SeamedHull& ref, int face, Manifold& m) {
-  if (ref.seam == nullptr) return;
-  const Vec2 tangent = perp(ref.hull.normals[face]);
+/// Drops the points at which the reference face may not be touched.
+void drop_closed(const SeamedHull& ref, const Hull& other, int face, Manifold& m) {
   const int count = m.count;
   m.count = 0;
   for (int k = 0; k < count; ++k) {
-    const real along = dot(m.points[k].point - ref.hull.points[face], tangent);
-    if (!ref.seam->hides(ref.hull, face, along)) m.points[m.count++] = m.points[k];
+    const real along = dot(m.points[k].point - ref.hull.points[face], perp(ref.hull.normals[face]));
+    if (is_open(ref, other, face, along)) m.points[m.count++] = m.points[k];
   }
 }
 
@@ -161,7 +173,7 @@ Manifold collide_face(const SeamedHull& a, const SeamedHull& b, const Axis& axis
     const int inc_face = incident_edge(inc.hull, face.normal);
     m = clip(face, ref.hull.radius, face_of(inc.hull, inc_face), inc.hull.radius, margin,
              own | static_cast<std::uint32_t>(inc_face) << 4);
-    if (!keep_hidden) drop_hidden(ref, axis.face, m);
+    if (!keep_hidden) drop_closed(ref, inc.hull, axis.face, m);
   } else {
     const Vec2 c = inc.hull.points[0];
     const real along = dot(c - face.from, perp(face.normal));
@@ -180,18 +192,6 @@ real thinner(const Hull& a, const Hull& b) {
   return std::min(a.thickness, b.thickness);
 }
 
-/// A face that is not the way out may only push where it really stands in the way, and not at its joined end, into
-/// which the other shape reaches no deeper than `reach` through the neighbour.
-void drop_inner_corner(const SeamedHull& ref, int face, real reach, Manifold& m) {
-  if (ref.seam == nullptr) return;
-  const int count = m.count;
-  m.count = 0;
-  for (int k = 0; k < count; ++k) {
-    const real along = dot(m.points[k].point - ref.hull.points[face], perp(ref.hull.normals[face]));
-    if (!ref.seam->is_in_inner_corner(ref.hull, face, along, reach)) m.points[m.count++] = m.points[k];
-  }
-}
-
 /// Both in A's frame. An admitted axis that is far worse than a hidden one belongs to another side of the shape: then
 /// the neighbour has the contact. Only in an inner corner of the common outline, behind the faces of both shapes, each
 /// face is covered there by the other; then both push.
@@ -205,9 +205,6 @@ Manifold collide_local(const SeamedHull& a, const SeamedHull& b, real margin) {
   Manifold m;
   if (found.best.separation > worst) {
     m = collide_face(a, b, found.best, false, margin);
-    const bool way_out = found.best.separation >= found.largest - 2 * slack;
-    const real reach = 2 * std::abs(found.largest) + slack;
-    if (!way_out) drop_inner_corner(found.best.of_a ? a : b, found.best.face, reach, m);
   } else if (found.beyond.separation > worst) {
     m = collide_face(a, b, found.beyond, true, margin);
   }
@@ -220,7 +217,7 @@ Manifold collide_local(const SeamedHull& a, const SeamedHull& b, real margin) {
 }  // namespace
 
 Manifold collide_smooth(const SeamedHull& a, const Pose& pose_a, const SeamedHull& b, const Pose& pose_b, real margin) {
-  const Pose b_in_a{to_local(pose_a, pose_b.position), inverse(pose_a.rotation) * pose_b.rotation};
+  const Pose b_in_a = relative_pose(pose_a, pose_b);
   const Hull hull_b = transformed(b.hull, b_in_a);
   Seam seam_b;
   if (b.seam != nullptr) seam_b = transformed(*b.seam, b.hull, b_in_a.rotation);

@@ -29,11 +29,6 @@ struct SimplexCache {
   std::uint8_t b[3]{};
 };
 
-/// The pose of something at `pose`, seen from `frame`.
-inline Pose relative_pose(const Pose& frame, const Pose& pose) {
-  return {to_local(frame, pose.position), inverse(frame.rotation) * pose.rotation};
-}
-
 /// Two hulls as the algorithms see them: everything is in the frame of A, so that nothing is lost far from the origin.
 /// B's points are brought there at once, which takes less time than turning every direction and every point found.
 struct HullPair {

@@ -26,6 +26,12 @@ constexpr BasicVec2<T> to_local(const BasicPose<T>& pose, BasicVec2<T> world) {
   return inverse_rotate(pose.rotation, world - pose.position);
 }
 
+/// What `pose` is in the frame of `frame`.
+template <typename T>
+constexpr BasicPose<T> relative_pose(const BasicPose<T>& frame, const BasicPose<T>& pose) {
+  return {to_local(frame, pose.position), inverse(frame.rotation) * pose.rotation};
+}
+
 using Posed = BasicPose<double>;
 
 }  // namespace proofreel

@@ -148,8 +148,10 @@ CornerSeam corner_seam(const Hull& hull, int i, const Surroundings& around) {
   seam.before_convex = seam.before_exposed && convex(ahead);
   seam.after_convex = seam.after_exposed && convex(behind);
   const auto concave = [](const FreeSector& free) { return free.width < std::numbers::pi - one_direction; };
-  seam.before_concave = seam.joined && concave(ahead);
-  seam.after_concave = seam.joined && concave(behind);
+  seam.before_concave = seam.before_exposed && concave(ahead);
+  seam.after_concave = seam.after_exposed && concave(behind);
+  seam.before_free = ahead.end;
+  seam.after_free = behind.end;
   seam.before_until = convex(ahead) ? -perp(ahead.end) : normal_before;
   seam.after_from = convex(behind) ? perp(behind.end) : normal_after;
   return seam;
@@ -205,8 +207,10 @@ bool between(Vec2 first, Vec2 n, Vec2 last) {
 bool Seam::admits(const Hull& hull, int i, Vec2 normal) const {
   const CornerSeam& corner = corners[i];
   if (!corner.joined) return true;
-  if (corner.before_exposed && between(hull.normals[before(hull, i)], normal, corner.before_until)) return true;
-  return corner.after_exposed && between(corner.after_from, normal, hull.normals[i]);
+  if (corner.before_exposed && !corner.before_concave &&
+      between(hull.normals[before(hull, i)], normal, corner.before_until))
+    return true;
+  return corner.after_exposed && !corner.after_concave && between(corner.after_from, normal, hull.normals[i]);
 }
 
 bool Seam::is_ridge(int i) const {
@@ -214,10 +218,18 @@ bool Seam::is_ridge(int i) const {
   return !corner.joined || corner.before_convex || corner.after_convex;
 }
 
-bool Seam::is_in_inner_corner(const Hull& hull, int i, real along, real reach) const {
+bool Seam::reaches_around(const Hull& hull, int i, real along, real reach, Vec2 middle) const {
   const int end = after(hull, i);
-  const real whole = distance(hull.points[i], hull.points[end]);
-  return (corners[i].after_concave && along < reach) || (corners[end].before_concave && along > whole - reach);
+  const Vec2 way = hull.points[end] - hull.points[i];
+  if (corners[i].after_concave && along < reach) {  // the free sector lies clockwise of the edge
+    const Vec2 from_corner = middle - hull.points[i];
+    return cross(from_corner, way) <= 0 || cross(corners[i].after_free, from_corner) <= 0;
+  }
+  if (corners[end].before_concave && along > length(way) - reach) {
+    const Vec2 from_corner = middle - hull.points[end];
+    return cross(-way, from_corner) <= 0 || cross(from_corner, corners[end].before_free) <= 0;
+  }
+  return false;
 }
 
 bool Seam::hides(const Hull& hull, int i, real along) const {
@@ -248,23 +260,13 @@ bool find_seam(const Hull& own, std::span<const Hull> others, Seam& seam) {
   return any;
 }
 
-Hull transformed(const Hull& hull, const Pose& pose) {
-  Hull out;
-  out.count = hull.count;
-  out.radius = hull.radius;
-  out.thickness = hull.thickness;
-  for (int i = 0; i < hull.count; ++i) {
-    out.points[i] = to_world(pose, hull.points[i]);
-    out.normals[i] = rotate(pose.rotation, hull.normals[i]);
-  }
-  return out;
-}
-
 Seam transformed(const Seam& seam, const Hull& hull, Rot rotation) {
   Seam out = seam;
   for (int i = 0; i < hull.count; ++i) {
     out.corners[i].before_until = rotate(rotation, seam.corners[i].before_until);
     out.corners[i].after_from = rotate(rotation, seam.corners[i].after_from);
+    out.corners[i].before_free = rotate(rotation, seam.corners[i].before_free);
+    out.corners[i].after_free = rotate(rotation, seam.corners[i].after_free);
   }
   return out;
 }

@@ -29,6 +29,8 @@ struct CornerSeam {
   bool after_concave = false;
   Vec2 before_until;
   Vec2 after_from;
+  Vec2 before_free;  ///< the direction that ends the free sector beside the edge before, and beside the edge after
+  Vec2 after_free;
 };
 
 struct Seam {
@@ -36,14 +38,16 @@ struct Seam {
   real hidden_from_start[max_polygon_vertices]{};  ///< m of edge i, from its first corner on
   real hidden_to_end[max_polygon_vertices]{};      ///< m of edge i, up to its second corner
 
-  /// Whether the shape can push along `normal` (unit, hull's frame) at corner `i` of `hull`.
+  /// Whether the shape can push along `normal` (unit, hull's frame) at corner `i` of `hull`. At an inner corner of the
+  /// common outline only the faces beside it push.
   bool admits(const Hull& hull, int i, Vec2 normal) const;
   /// Whether the common outline sticks out at corner `i`. Where it goes straight on or turns inwards, the faces beside
   /// the corner push, and never the corner.
   bool is_ridge(int i) const;
-  /// Whether edge `i` of `hull` ends within `reach` of `along` metres from its first corner, at an inner corner of the
-  /// common outline.
-  bool is_in_inner_corner(const Hull& hull, int i, real along, real reach) const;
+  /// Whether what touches edge `i` of `hull` at `along` metres from its first corner does so within `reach` of an inner
+  /// corner of the common outline, although it has its middle elsewhere than in that corner: it reaches in from the
+  /// other side of the neighbour.
+  bool reaches_around(const Hull& hull, int i, real along, real reach, Vec2 middle) const;
   /// Whether a neighbour covers the outside of edge `i` of `hull` at `along` metres from its first corner.
   bool hides(const Hull& hull, int i, real along) const;
   /// Whether neighbours cover all of edge `i`.
@@ -54,8 +58,6 @@ struct Seam {
 /// shapes, or between capsules of one radius.
 bool find_seam(const Hull& own, std::span<const Hull> others, Seam& seam);
 
-/// The hull of a shape in another shape's frame.
-Hull transformed(const Hull& hull, const Pose& pose);
 Seam transformed(const Seam& seam, const Hull& hull, Rot rotation);
 
 }  // namespace PROOFREEL_PRECISION

@@ -42,6 +42,13 @@ Hull make_hull(const ShapeDef& def, Vec2d center) {
   return hull;
 }
 
+Hull transformed(const Hull& hull, const Pose& pose) {
+  Hull out = hull;
+  for (Vec2& point : out.points) point = to_world(pose, point);
+  for (Vec2& normal : out.normals) normal = rotate(pose.rotation, normal);
+  return out;
+}
+
 Aabb bounds(const Hull& hull, const Pose& pose) {
   Aabb box;
   for (int i = 0; i < hull.count; ++i) box = merged(box, to_world(pose, hull.points[i]));

@@ -25,6 +25,9 @@ struct Hull {
 /// `center` is the body's centre of mass in the coordinates `def` is written in.
 Hull make_hull(const ShapeDef& def, Vec2d center);
 
+/// The same hull at a pose: in the frame the pose is told in.
+Hull transformed(const Hull& hull, const Pose& pose);
+
 /// The smallest box around the hull at a pose.
 Aabb bounds(const Hull& hull, const Pose& pose);
 

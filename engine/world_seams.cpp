@@ -43,9 +43,7 @@ void World::join_fixed_shapes() {
     tree.query(bounds(own.hull, pose), [&](ProxyId, std::uint32_t j) {
       const Shape& other = shapes_[j];
       if (j == i || !(bodies_[own.body].filter == bodies_[other.body].filter)) return true;
-      const Pose other_pose = center_pose(other.body);
-      const Pose in_own{to_local(pose, other_pose.position), inverse(pose.rotation) * other_pose.rotation};
-      others.push_back(transformed(other.hull, in_own));
+      others.push_back(transformed(other.hull, relative_pose(pose, center_pose(other.body))));
       return true;
     });
     Seam seam;

@@ -93,7 +93,7 @@ TEST_CASE("A box glides over thirty flat seams as over one slab") {
       const Glide seamed = glide(box_shape(0.8, 0.5), 0.25, ground, mu);
       INFO("friction " << mu << ", " << ground.size() << " bodies");
       CHECK(seamed.travelled == Approx(reference.travelled).epsilon(pick(1e-4, 1e-3)));
-      CHECK(seamed.highest < reference.highest + pick(6e-3, 1e-2));
+      CHECK(seamed.highest < reference.highest + pick(5e-3, 6e-3));
     }
   }
 }
@@ -232,6 +232,24 @@ TEST_CASE("A leg that ends flush in a table top does not catch what slides over 
   CHECK(simulation->body(BodyId{1}).position.x == Approx(3).margin(1e-3));
 }
 
+TEST_CASE("Posts that hang under a thin floor do not catch what slides over it, and hold what comes from below") {
+  Scene scene;
+  BodyDef floor;
+  floor.type = BodyType::fixed;
+  floor.shapes = {segment_shape({-10, 0}, {10, 0}), segment_shape({0, 0}, {0, -2}), block({-2.05, -1}, {-1.95, 0})};
+  BodyDef above = body_with(box_shape(0.4, 0.4), {-3, 0.2});
+  above.velocity = {4, 0};
+  BodyDef below = body_with(disc_shape(0.1), {1.5, -0.5});
+  below.velocity = {-4, 0};
+  below.gravity_scale = 0;
+  scene.bodies = {above, floor, below};
+  set_friction(scene, 0);
+  const auto simulation = simulate(scene);
+  run(*simulation, 1);
+  CHECK(simulation->body(BodyId{1}).position.x == Approx(1).margin(1e-3));
+  CHECK(simulation->body(BodyId{3}).position.x > 0.09);
+}
+
 TEST_CASE("Between two blocks side by side the common side is hidden and the top corner pushes only upwards") {
   const ShapeDef left = block({0, 0}, {1, 1});
   const Seam seam = seam_between(left, block({1, 0}, {2, 1}));
@@ -253,7 +271,7 @@ TEST_CASE("A neighbour that stands lower leaves the rest of the side exposed") {
   CHECK(seam.admits(hull, 2, {1, 0}));
 }
 
-TEST_CASE("Over the ridge of a chain all normals between the two segments push, and below it only the segments' own") {
+TEST_CASE("Over the ridge of a chain all normals between the two segments push, and below it only their faces do") {
   const ShapeDef rising = segment_shape({-1, -1}, {0, 0});
   const Seam seam = seam_between(rising, segment_shape({0, 0}, {1, -1}));
   const Hull hull = hull_of(rising);
@@ -262,7 +280,7 @@ TEST_CASE("Over the ridge of a chain all normals between the two segments push, 
   CHECK(seam.admits(hull, 1, normalized(Vec2{1, 1})));
   CHECK_FALSE(seam.admits(hull, 1, {1, 0}));
   CHECK_FALSE(seam.admits(hull, 1, {0, -1}));
-  CHECK(seam.admits(hull, 1, normalized(Vec2{1, -1})));
+  CHECK_FALSE(seam.admits(hull, 1, normalized(Vec2{1, -1})));
 }
 
 TEST_CASE("Shapes that only stand near each other hide nothing") {

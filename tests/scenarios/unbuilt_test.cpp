@@ -18,9 +18,8 @@ void check_unbuilt(const std::string& line, const std::string& name) {
 }  // namespace
 
 TEST_CASE("Words that are not built are refused by name") {
-  const std::string word =
-      GENERATE("rope", "prismatic", "weld", "wheel", "gear", "pulley", "drag_to", "motor", "buoyancy", "field",
-               "on_break", "on_sleep", "ghost", "freeze", "section");
+  const std::string word = GENERATE("rope", "prismatic", "weld", "wheel", "gear", "pulley", "drag_to", "motor",
+                                    "buoyancy", "field", "on_break", "on_sleep", "ghost", "freeze", "section");
   check_unbuilt(word + "{b}", word);
 }
 
