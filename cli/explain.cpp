@@ -1,8 +1,10 @@
 #include "lab/explain.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/scenario_files.h"
@@ -15,9 +17,10 @@ struct Options {
   CommonOptions common;
   std::string scenario;
   bool json = false;
+  bool instructions = false;
 };
 
-Json json_of(const Explanation& explanation) {
+Json json_of(const Explanation& explanation, std::optional<double> instructions) {
   Json stages = Json::array();
   for (const ExplainedStage& stage : explanation.stages) {
     Json row{{"name", stage.name}, {"on", stage.on}, {"why", stage.why}, {"us_per_tick", nullptr}};
@@ -25,10 +28,12 @@ Json json_of(const Explanation& explanation) {
     if (!stage.part_of.empty()) row["part_of"] = stage.part_of;
     stages.push_back(row);
   }
-  return {{"scenario", explanation.scenario},
-          {"ticks", explanation.ticks},
-          {"us_per_tick", explanation.us_per_tick},
-          {"stages", stages}};
+  Json whole{{"scenario", explanation.scenario},
+             {"ticks", explanation.ticks},
+             {"us_per_tick", explanation.us_per_tick},
+             {"stages", stages}};
+  if (instructions) whole["instructions_per_body_step"] = *instructions;
+  return whole;
 }
 
 void print_row(const ExplainedStage& stage, double whole) {
@@ -42,20 +47,35 @@ void print_row(const ExplainedStage& stage, double whole) {
   std::printf("%s%s\n", stage.why.c_str(), part.c_str());
 }
 
-void print(const Explanation& explanation) {
+void print(const Explanation& explanation, std::optional<double> instructions) {
   std::printf("%s: %lld ticks, %.2f us per tick\n", explanation.scenario.c_str(),
               static_cast<long long>(explanation.ticks), explanation.us_per_tick);
   for (const ExplainedStage& stage : explanation.stages) print_row(stage, explanation.us_per_tick);
+  if (!instructions) return;
+  std::printf("%.1f instructions per body and substep (%lld dynamic bodies, %d substeps)\n", *instructions,
+              static_cast<long long>(explanation.bodies), explanation.substeps);
+}
+
+/// This program, running the same scenario.
+std::vector<std::string> run_command(const Options& options) {
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe"), "run", options.scenario, "--quiet"};
+  for (const std::string& set : options.common.set) {
+    words.emplace_back("--set");
+    words.push_back(set);
+  }
+  return words;
 }
 
 int explain_scenario(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
   const Explanation explanation = explain(*scenario);
+  std::optional<double> count;
+  if (options.instructions) count = instructions_per_body_step(explanation, run_command(options));
   if (options.json) {
-    std::cout << json_text(json_of(explanation), 2) << "\n";
+    std::cout << json_text(json_of(explanation, count), 2) << "\n";
   } else {
-    print(explanation);
+    print(explanation, count);
   }
   return 0;
 }
@@ -68,7 +88,8 @@ Subcommand explain_command(CLI::App& program) {
                               "proofreel explain pendulum", options->common);
   app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as pyramid")->required();
   app->add_flag("--json", options->json, "Print one JSON object instead of text");
-  refuse_not_built(*app, {"--instructions"});
+  app->add_flag("--instructions", options->instructions,
+                "Count instructions per body and substep too (slow; needs valgrind)");
   return {app, [options] { return explain_scenario(*options); }};
 }
 

@@ -48,12 +48,6 @@ struct Body {
   real mass = 0;
   real inertia = 0;
   real gravity_scale = 1;
-  Vec2 force;  ///< N during the next tick, from commands
-  real torque = 0;
-  Vec2 acceleration;  ///< from gravity and `force`, constant during a tick
-  real angular_acceleration = 0;
-  Vec2 velocity_before;  ///< at the start of the last tick
-  real angle_before = 0;
   FilterDef filter;
   std::optional<DragDef> drag;  ///< without it, the scene's
   std::optional<std::uint32_t> color;
@@ -67,12 +61,16 @@ struct Body {
 /// functions.
 Rot turned(Rot q, real angle);
 
+/// Turns a body by its own spin for `h` seconds.
+inline void turn_on(Motion& m, real h) {
+  m.rotation = turned(m.rotation, h * m.spin);
+  m.angle += h * m.spin;
+}
+
 /// Moves and turns a body by its own velocity for `h` seconds.
 inline void drift(Motion& m, real h) {
   m.delta += h * m.velocity;
-  if (m.spin == 0) return;
-  m.rotation = turned(m.rotation, h * m.spin);
-  m.angle += h * m.spin;
+  if (m.spin != 0) turn_on(m, h);
 }
 
 }  // namespace PROOFREEL_PRECISION

@@ -116,14 +116,14 @@ bool bounce(ContactConstraint& c, Pair pair, real h, real resting_speed, bool fr
 
 }  // namespace
 
-void resolve_impacts(std::vector<ContactConstraint>& constraints, const std::vector<Body>& bodies,
+void resolve_impacts(std::vector<ContactConstraint>& constraints, std::span<const Vec2> accelerations,
                      std::vector<Motion>& motions, real h, real resting_speed, bool friction) {
   bool any = true;
   for (int sweep = 0; any && sweep < max_sweeps; ++sweep) {
     any = false;
     for (ContactConstraint& c : constraints) {
       if (c.restitution <= 0) continue;
-      const Vec2 acceleration = bodies[c.body_b].acceleration - bodies[c.body_a].acceleration;
+      const Vec2 acceleration = accelerations.empty() ? Vec2{} : accelerations[c.body_b] - accelerations[c.body_a];
       any |= bounce(c, {c, motions[c.body_a], motions[c.body_b], acceleration}, h, resting_speed, friction);
     }
   }

@@ -4,6 +4,7 @@
 /// SI units, radians, y up. Ids are positions in the order of creation and are never used again.
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -159,8 +160,13 @@ inline constexpr int effect_count = 13;
 /// A set of effects.
 class EffectSet {
  public:
-  bool has(Effect e) const { return (bits_ >> static_cast<unsigned>(e) & 1U) != 0; }
-  void add(Effect e) { bits_ |= 1U << static_cast<unsigned>(e); }
+  constexpr EffectSet() = default;
+  constexpr EffectSet(std::initializer_list<Effect> effects) {
+    for (const Effect e : effects) add(e);
+  }
+  constexpr bool has(Effect e) const { return (bits_ >> static_cast<unsigned>(e) & 1U) != 0; }
+  constexpr bool has_only(EffectSet others) const { return (bits_ & ~others.bits_) == 0; }
+  constexpr void add(Effect e) { bits_ |= 1U << static_cast<unsigned>(e); }
   friend bool operator==(EffectSet, EffectSet) = default;
 
  private:

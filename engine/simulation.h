@@ -117,6 +117,8 @@ class Simulation {
   virtual const std::optional<Failure>& failure() const = 0;
   /// Which effects act at present, and why. Empty where nobody knows.
   virtual std::vector<EffectDecision> effects() const { return {}; }
+  /// From now on `BodyView::force` is kept; until then it is 0, since it takes a look at every body at every tick.
+  virtual void keep_forces() {}
   /// From now on adds to `times` what every stage takes; null ends it. Where nobody measures, all stay zero.
   virtual void time_stages(StageTimes* times) { static_cast<void>(times); }
 };

@@ -15,6 +15,10 @@ constexpr real contact_damping_ratio = 10;
 /// boxes rocking for ever when gravity comes in halves; at this value it comes to rest to the last bit.
 constexpr real contact_stiffness = real(0.125);
 
+/// Each body moves by itself under these. Those that only change what contacts do are among them.
+constexpr EffectSet effects_of_free_bodies{Effect::gravity,     Effect::drag, Effect::wind,   Effect::friction,
+                                           Effect::restitution, Effect::ccd,  Effect::sensors};
+
 std::uint64_t unordered_key(BodyIndex a, BodyIndex b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
 }
@@ -45,10 +49,19 @@ void World::step() {
   if (failure_) return;
   rebuild_if_changed();
   begin_tick();
+  if (bodies_are_free_ && pushed_.empty()) {
+    timed(StepStage::motion, [this] { fly_all(); });
+    if (commanded_) detect_failure();  // nothing else can make a number infinite here
+  } else {
+    step_in_stages();
+  }
+  commanded_ = false;
+}
+
+void World::step_in_stages() {
   if (on(Effect::contacts)) find_contacts();
   prepare_solvers();
   for (int i = 0; i < method_.substeps; ++i) substep(h_);
-  ++tick_;
   timed(StepStage::motion, [this] { book_work(); });
   timed(StepStage::motion, [this] { end_tick(); });
   collect_events();
@@ -59,6 +72,8 @@ void World::rebuild_if_changed() {
   if (!structure_changed_) return;
   structure_changed_ = false;
   effects_ = listed_effects_ ? *listed_effects_ : census_.inferred();
+  bodies_are_free_ = effects_.has_only(effects_of_free_bodies);
+  gather_free_forces();
   if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_);
   hinged_.clear();
   for (const Joint& joint : joints_) {
@@ -75,17 +90,31 @@ void World::rebuild_if_changed() {
   }
 }
 
+/// What acts on every body by itself, in arrays as the loops over all bodies want it.
+void World::gather_free_forces() {
+  accelerations_.assign(on(Effect::gravity) ? bodies_.size() : 0, Vec2{});
+  for (BodyIndex i = 0; i < accelerations_.size(); ++i) accelerations_[i] = acceleration_of(i);
+  drags_.assign(on(Effect::drag) ? bodies_.size() : 0, DragDef{});
+  for (BodyIndex i = 0; i < drags_.size(); ++i) {
+    if (bodies_[i].type == BodyType::dynamic) drags_[i] = bodies_[i].drag.value_or(drag_);
+  }
+}
+
+Vec2 World::acceleration_of(BodyIndex i) const {
+  return bodies_[i].type == BodyType::dynamic ? bodies_[i].gravity_scale * effective_gravity() : Vec2{};
+}
+
 void World::begin_tick() {
-  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-    Body& body = bodies_[i];
-    body.velocity_before = motions_[i].velocity;
-    body.angle_before = motions_[i].angle;
-    body.acceleration = {};
-    body.angular_acceleration = 0;
-    if (body.type != BodyType::dynamic) continue;
-    body.acceleration = motions_[i].inv_mass * body.force;
-    body.acceleration += body.gravity_scale * effective_gravity();
-    body.angular_acceleration = motions_[i].inv_inertia * body.torque;
+  ++tick_;
+  events_.clear();
+  if (forces_kept_) {
+    velocities_before_.clear();
+    for (const Motion& motion : motions_) velocities_before_.push_back(motion.velocity);
+  }
+  if (!pushed_.empty()) accelerations_.resize(bodies_.size());
+  for (Push& push : pushed_) {
+    push.angle_before = motions_[push.body].angle;
+    accelerations_[push.body] = motions_[push.body].inv_mass * push.force + acceleration_of(push.body);
   }
   for (Joint& joint : joints_) joint.impulse = {};
 }
@@ -175,17 +204,18 @@ void World::end_tick() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     bodies_[i].center += motions_[i].delta;
     motions_[i].delta = {};
-    bodies_[i].force = {};
-    bodies_[i].torque = 0;
   }
+  for (const Push& push : pushed_) accelerations_[push.body] = acceleration_of(push.body);
+  if (!on(Effect::gravity)) accelerations_.clear();
+  pushed_.clear();
 }
 
 /// What went into the bodies from outside during the tick: forces of commands, and whatever a moving kinematic body
 /// pushed.
 void World::book_work() {
-  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-    const real turned_by = motions_[i].angle - bodies_[i].angle_before;
-    booked_work_ += static_cast<double>(dot(bodies_[i].force, motions_[i].delta) + bodies_[i].torque * turned_by);
+  for (const Push& push : pushed_) {
+    const real turned_by = motions_[push.body].angle - push.angle_before;
+    booked_work_ += static_cast<double>(dot(push.force, motions_[push.body].delta) + push.torque * turned_by);
   }
   const auto book = [this](BodyIndex pusher, Vec2 impulse, Vec2 arm) {
     if (bodies_[pusher].type != BodyType::kinematic) return;
@@ -210,7 +240,6 @@ void World::book_work() {
 }
 
 void World::collect_events() {
-  events_.clear();
   if (!on(Effect::contacts)) return;
   for (Contact& contact : contacts_) {
     const bool before = contact.touching;

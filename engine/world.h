@@ -11,6 +11,7 @@
 #include "engine/contact.h"
 #include "engine/contact_solver.h"
 #include "engine/effects.h"
+#include "engine/free_motion.h"
 #include "engine/joint.h"
 #include "engine/joint_solver.h"
 #include "engine/rocket.h"
@@ -40,11 +41,23 @@ class World final : public Simulation {
     return listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
   }
   void time_stages(StageTimes* times) override { times_ = times; }
+  void keep_forces() override { forces_kept_ = true; }
 
  private:
+  /// What commands push a body with during the next tick.
+  struct Push {
+    BodyIndex body = 0;
+    Vec2 force;  ///< N
+    real torque = 0;
+    real angle_before = 0;  ///< at the start of that tick
+  };
+
   // A tick (world.cpp), in order.
   void rebuild_if_changed();
+  void gather_free_forces();
+  Vec2 acceleration_of(BodyIndex index) const;
   void begin_tick();
+  void step_in_stages();
   void find_contacts();
   void prepare_solvers();
   void substep(real h);
@@ -64,6 +77,7 @@ class World final : public Simulation {
   void update_boxes();
   void drop_parted_contacts();
   void update_manifolds();
+  void fly_all();
   void bounce(real h);
   void accelerate(real h);
   void kick_springs(real h);
@@ -87,6 +101,7 @@ class World final : public Simulation {
   void reshape(BodyIndex index, Vec2d origin);
   void move_center(BodyIndex index, Vec2 way);
   void make_room_for_shapes(BodyIndex index);
+  Push& push_on(BodyIndex index);
   void remove_shapes(BodyIndex index);
   void drop_contacts_of(BodyIndex index);
 
@@ -124,9 +139,16 @@ class World final : public Simulation {
   bool structure_changed_ = true;
   bool ground_changed_ = true;  ///< a shape of a fixed body has come, gone or changed
   bool has_broad_phase_ = false;
+  bool bodies_are_free_ = false;  ///< nothing that is on lets one body act on another
+  bool forces_kept_ = false;
+  bool commanded_ = false;  ///< since the last tick
 
   std::vector<Body> bodies_;
-  std::vector<Motion> motions_;  ///< parallel to bodies_
+  std::vector<Motion> motions_;      ///< parallel to bodies_
+  std::vector<Vec2> accelerations_;  ///< from gravity and pushes, constant during a tick; empty where nothing does
+  std::vector<DragDef> drags_;       ///< of each body, or empty
+  std::vector<Push> pushed_;         ///< each body once
+  std::vector<Vec2> velocities_before_;
   std::vector<Shape> shapes_;
   std::vector<Joint> joints_;
   std::vector<Rocket> rockets_;

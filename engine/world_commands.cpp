@@ -18,6 +18,7 @@ void World::apply(const Command& command) {
   const bool acts_later = std::holds_alternative<ApplyForce>(command) || std::holds_alternative<ApplyTorque>(command);
   const double before = acts_later ? 0 : energy().total();
   std::visit([this](const auto& c) { execute(c); }, command);
+  commanded_ = true;
   if (!acts_later) booked_work_ += energy().total() - before;
 }
 
@@ -168,7 +169,7 @@ void World::execute(const ChangeBody& change) {
     motion.spin = 0;
   }
   if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.sensor && !change.filter &&
-      !change.drag)
+      !change.drag && !change.gravity_scale)
     return;
   structure_changed_ = true;
   BodyDef def;
@@ -193,6 +194,7 @@ void World::execute(const RemoveBody& command) {
   motions_[index].spin = 0;
   motions_[index].inv_mass = 0;
   motions_[index].inv_inertia = 0;
+  std::erase_if(pushed_, [index](const Push& push) { return push.body == index; });
   bodies_[index].mass = 0;
   bodies_[index].inertia = 0;
   structure_changed_ = true;
@@ -204,15 +206,23 @@ void World::execute(const ApplyImpulse& command) {
   motions_[index].push(Vec2(command.impulse), arm);
 }
 
+World::Push& World::push_on(BodyIndex index) {
+  const auto known = std::find_if(pushed_.begin(), pushed_.end(), [index](const Push& p) { return p.body == index; });
+  return known != pushed_.end() ? *known : pushed_.emplace_back(Push{index, {}, 0, 0});
+}
+
 void World::execute(const ApplyForce& command) {
-  Body& body = bodies_[index_of(command.body)];
+  const BodyIndex index = index_of(command.body);
+  if (bodies_[index].type != BodyType::dynamic) return;
+  Push& push = push_on(index);
   const Vec2 force(command.force);
-  body.force += force;
-  if (command.at) body.torque += cross(Vec2(*command.at) - body.center, force);
+  push.force += force;
+  if (command.at) push.torque += cross(Vec2(*command.at) - bodies_[index].center, force);
 }
 
 void World::execute(const ApplyTorque& command) {
-  bodies_[index_of(command.body)].torque += static_cast<real>(command.torque);
+  const BodyIndex index = index_of(command.body);
+  if (bodies_[index].type == BodyType::dynamic) push_on(index).torque += static_cast<real>(command.torque);
 }
 
 /// What a joint's errors are measured by: its own length, or where it has none that of the bodies it holds.

@@ -80,7 +80,10 @@ void World::observe_bodies(Snapshot& snapshot) const {
     view.type = body_i.type;
     view.state = body(view.id);
     view.pose = {view.state.position, Rotd(motions_[i].rotation)};
-    view.force = view.state.mass * static_cast<double>(rate_) * Vec2d(motions_[i].velocity - body_i.velocity_before);
+    if (i < velocities_before_.size()) {
+      const Vec2 gain = motions_[i].velocity - velocities_before_[i];
+      view.force = view.state.mass * static_cast<double>(rate_) * Vec2d(gain);
+    }
     view.sensor = body_i.sensor;
     view.has_color = body_i.color.has_value();
     view.color = body_i.color.value_or(0);

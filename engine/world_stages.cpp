@@ -58,16 +58,18 @@ void World::update_manifolds() {
 
 void World::bounce(real h) {
   const real resting_speed = h * length(effective_gravity());
-  resolve_impacts(contact_solver_.constraints(), bodies_, motions_, h, resting_speed, on(Effect::friction));
+  resolve_impacts(contact_solver_.constraints(), accelerations_, motions_, h, resting_speed, on(Effect::friction));
+}
+
+void World::fly_all() {
+  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
+  fly({accelerations_, drags_, wind}, method_.integrator, method_.substeps, h_, bodies_, motions_);
 }
 
 /// By gravity, and by what commands ask for during this tick.
 void World::accelerate(real h) {
-  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].type != BodyType::dynamic) continue;
-    motions_[i].velocity += h * bodies_[i].acceleration;
-    motions_[i].spin += h * bodies_[i].angular_acceleration;
-  }
+  for (BodyIndex i = 0; i < accelerations_.size(); ++i) motions_[i].velocity += h * accelerations_[i];
+  for (const Push& push : pushed_) motions_[push.body].spin += h * (motions_[push.body].inv_inertia * push.torque);
 }
 
 void World::kick_springs(real h) {
@@ -88,9 +90,8 @@ void World::burn_rockets(real h) {
 
 void World::drag_all(real h) {
   const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
-  for (BodyIndex i = 1; i < bodies_.size(); ++i) {
-    const DragDef& drag = bodies_[i].drag ? *bodies_[i].drag : drag_;
-    if (bodies_[i].type == BodyType::dynamic && drag.acts()) apply_drag(motions_[i], drag, wind, h);
+  for (BodyIndex i = 1; i < drags_.size(); ++i) {
+    if (drags_[i].acts()) apply_drag(motions_[i], drags_[i], wind, h);
   }
 }
 

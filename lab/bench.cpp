@@ -23,11 +23,14 @@ void bench_collision() {
 }
 
 /// `first` goes first: it measures what has not been loaded yet.
-const std::vector<Bench> benches{
-    {"first", bench_first}, {"clip", bench_clip}, {"collision", bench_collision}, {"pyramid", bench_pyramid}};
+const std::vector<Bench> benches{{"first", bench_first},
+                                 {"clip", bench_clip},
+                                 {"collision", bench_collision},
+                                 {"effects", bench_effects},
+                                 {"pyramid", bench_pyramid}};
 
 int usage() {
-  std::fputs("usage: bench [first|clip|collision|pyramid]\n", stderr);
+  std::fputs("usage: bench [first|clip|collision|effects|pyramid]\n", stderr);
   return 2;
 }
 

@@ -9,6 +9,8 @@ namespace proofreel {
 void bench_clip();
 /// Manifolds of random pairs, beside Box2D and Chipmunk.
 void bench_manifolds();
+/// What each effect costs in instructions, beside the committed figures.
+void bench_effects();
 /// From the command to the first picture.
 void bench_first();
 /// Distances and times of impact of two polygons, beside Box2D.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lab/callgrind.h"
 #include "scenarios/runner.h"
 
 namespace proofreel {
@@ -34,13 +35,23 @@ const Cost& cost_of(Effect effect) {
   return *std::find_if(std::begin(costs), std::end(costs), [&](const Cost& cost) { return cost.effect == effect; });
 }
 
+std::int64_t dynamic_bodies(const Simulation& simulation) {
+  Snapshot snapshot;
+  simulation.observe(snapshot);
+  return std::count_if(snapshot.bodies.begin(), snapshot.bodies.end(),
+                       [](const BodyView& body) { return body.type == BodyType::dynamic; });
+}
+
 class Table {
  public:
   Table(const StageTimes& times, std::int64_t ticks) : times_(times), ticks_(ticks) {}
 
   void add(std::string name, bool on, std::string why, std::optional<StepStage> stage, const char* part_of = "") {
+    // Where bodies are free, what acts on them is one loop with their motion.
+    const bool of_its_own = on && stage && (times_.of(*stage) > 0 || *stage == StepStage::motion);
     std::optional<double> cost;
-    if (on && stage) cost = 1e6 * times_.of(*stage) / static_cast<double>(std::max<std::int64_t>(ticks_, 1));
+    if (of_its_own) cost = 1e6 * times_.of(*stage) / static_cast<double>(std::max<std::int64_t>(ticks_, 1));
+    if (on && stage && !of_its_own) part_of = "motion";
     rows_.push_back({std::move(name), on, std::move(why), cost, on ? part_of : ""});
   }
   std::vector<ExplainedStage> take() { return std::move(rows_); }
@@ -52,6 +63,11 @@ class Table {
 };
 
 }  // namespace
+
+double instructions_per_body_step(const Explanation& explanation, const std::vector<std::string>& run) {
+  const auto steps = static_cast<double>(explanation.ticks * explanation.substeps * explanation.bodies);
+  return steps > 0 ? static_cast<double>(instructions(run, "*World::step()*")) / steps : 0;
+}
 
 Explanation explain(Scenario& scenario) {
   StageTimes times;
@@ -70,7 +86,8 @@ Explanation explain(Scenario& scenario) {
     table.add(name_of(decision.effect), decision.on, decision.why, cost.stage, cost.part_of);
   }
   table.add("motion", true, "bodies move, and what they did is kept", StepStage::motion);
-  Explanation explanation{scenario.id, runner.tick(), 0, table.take()};
+  const int substeps = scenario.scene.method.substeps;
+  Explanation explanation{scenario.id, runner.tick(), 0, substeps, dynamic_bodies(runner.simulation()), table.take()};
   for (const ExplainedStage& stage : explanation.stages) explanation.us_per_tick += stage.us_per_tick.value_or(0);
   return explanation;
 }

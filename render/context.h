@@ -5,18 +5,12 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace proofreel {
+#include "scenarios/environment_error.h"
 
-/// Something outside the scenario does not work: GL, an encoder, the disk. A sentence with what to install or do. Exit
-/// status 3.
-class EnvironmentError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace proofreel {
 
 enum class GlBackend { osmesa, egl };
 std::optional<GlBackend> gl_backend_named(std::string_view name);

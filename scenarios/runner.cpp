@@ -31,6 +31,12 @@ void add_sample(MeasureResult& result, double value, bool first) {
   result.max = first ? value : std::max(result.max, value);
 }
 
+bool draws_forces(const Picture& picture) {
+  return std::any_of(picture.vectors.begin(), picture.vectors.end(), [](const VectorMark& mark) {
+    return mark.of == VectorOf::force || mark.of == VectorOf::acceleration;
+  });
+}
+
 std::string sentence(const Scenario& scenario, const Failure& failure) {
   const auto body = static_cast<std::size_t>(failure.body);
   const bool named = body >= 1 && body <= scenario.body_names.size();
@@ -59,6 +65,7 @@ struct Runner::Impl {
     for (const Expectation& expectation : scenario.expectations)
       report.expectations.push_back({expectation.text, true, 0});
     looked_at.resize(scenario.expectations.size());
+    if (draws_forces(scenario.picture)) simulation->keep_forces();
     report.scenario = scenario.id;
     report.initial_energy = simulation->energy();
     report.trajectory_hash = chained_hash(0, simulation->state_hash());

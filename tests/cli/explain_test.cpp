@@ -66,9 +66,31 @@ TEST_CASE("A list of effects that overrules the scene is said to", "[cli]") {
 TEST_CASE("Explaining has an example, and refuses what it does not know", "[cli]") {
   REQUIRE_THAT(proofreel_program({"explain", "--help"}).out, Contains("Example: proofreel explain"));
   REQUIRE(proofreel_program({"explain", "nowhere"}).status == 2);
-  const Outcome later = proofreel_program({"explain", "pendulum", "--instructions"});
-  REQUIRE(later.status == 2);
-  REQUIRE_THAT(later.err, Contains("not built yet"));
+}
+
+TEST_CASE("Instructions are counted alike in every run, and more for turning bodies than for falling ones", "[cli]") {
+  const Collection c;
+  const std::string discs = "for i = 1, 50 do body{at={3 * i, 0}, group=-1, spin=SPIN, shape=circle{radius=1}} end";
+  const auto with_spin = [&](const std::string& spin) {
+    const std::string file = "spin" + spin;
+    std::string text = "scenario{duration=0.5}\n" + discs;
+    c.write(file, text.replace(text.find("SPIN"), 4, spin));
+    const Outcome o = c.run({"explain", file, "--instructions", "--json"});
+    REQUIRE(o.status == 0);
+    return Json::parse(o.out).at("instructions_per_body_step").get<double>();
+  };
+  const double falling = with_spin("0");
+  REQUIRE(falling > 5);
+  REQUIRE(falling == with_spin("0"));
+  REQUIRE(with_spin("1") > falling + 5);
+}
+
+TEST_CASE("Where bodies are free, gravity's time is part of the motion", "[cli]") {
+  const Collection c;
+  c.write("free", "scenario{duration=0.1}\nbody{shape=circle{radius=1}}");
+  const Json explanation = Json::parse(c.run({"explain", "free", "--json"}).out);
+  REQUIRE(stage_of(explanation, "gravity").at("on") == true);
+  REQUIRE(stage_of(explanation, "gravity").at("part_of") == "motion");
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST_CASE("Being timed changes no bit, and what is off takes no time", "[effects
     timed->step();
     REQUIRE(plain->state_hash() == timed->state_hash());
   }
-  CHECK(times.of(StepStage::gravity) > 0);
+  CHECK(times.of(StepStage::motion) > 0);
   CHECK(times.of(StepStage::broad_phase) == 0);
   CHECK(times.of(StepStage::drag) == 0);
 }
