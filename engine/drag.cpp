@@ -30,5 +30,12 @@ void apply_drag(Motion& motion, const DragDef& drag, Vec2 wind, real h) {
   motion.spin *= static_cast<real>(elementary::exp(-turning * static_cast<double>(h)));
 }
 
+void add_drag(const Motion& motion, const DragDef& drag, Vec2 wind, Slope& slope) {
+  const Vec2 relative = motion.velocity - wind;
+  const real factor = static_cast<real>(drag.linear) + static_cast<real>(drag.quadratic) * length(relative);
+  slope.acceleration -= factor * motion.inv_mass * relative;
+  slope.angular_acceleration -= static_cast<real>(drag.angular) * motion.inv_inertia * motion.spin;
+}
+
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

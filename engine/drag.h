@@ -4,7 +4,7 @@
 /// medium, in proportion to the speed (linear: slow, thick media) and to its square (quadratic: most of what flies).
 /// It takes energy out of the scene and puts none back.
 
-#include "engine/body.h"
+#include "engine/smooth_motion.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -15,6 +15,9 @@ inline namespace PROOFREEL_PRECISION {
 /// and a composition of halves around the other forces (Strang 1968) stays second order.
 /// Bodies that nothing pushes keep their velocity.
 void apply_drag(Motion& motion, const DragDef& drag, Vec2 wind, real h);
+
+/// Adds what drag decelerates a body by now, for integrators that take it as one force among others.
+void add_drag(const Motion& motion, const DragDef& drag, Vec2 wind, Slope& slope);
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

@@ -99,6 +99,49 @@ EffectSet effects_of(const Scene& scene) {
   return census.inferred();
 }
 
+const char* name_of(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::symplectic_euler:
+      return "symplectic_euler";
+    case Integrator::verlet:
+      return "verlet";
+    case Integrator::suzuki4:
+      return "suzuki4";
+    case Integrator::rk4:
+      return "rk4";
+    case Integrator::implicit_midpoint:
+      return "implicit_midpoint";
+    case Integrator::gauss_legendre6:
+      return "gauss_legendre6";
+  }
+  return "";
+}
+
+bool steps_everything(Integrator integrator) {
+  return integrator == Integrator::symplectic_euler || integrator == Integrator::verlet;
+}
+
+std::optional<std::string> problem_with_method(const Scene& scene) {
+  const Integrator integrator = scene.method.integrator;
+  if (steps_everything(integrator)) return std::nullopt;
+  const EffectSet effects = effects_of(scene);
+  const std::string method = std::string("integrator \"") + name_of(integrator) + "\" ";
+  if (effects.has(Effect::contacts))
+    return method +
+           "cannot step bodies that may meet, whose velocities jump: use \"verlet\" or \"symplectic_euler\", " +
+           "or give the bodies one negative group";
+  if (effects.has(Effect::rocket))
+    return method + "cannot step a rocket, whose mass changes on the way: use \"verlet\" or \"symplectic_euler\"";
+  if (integrator != Integrator::suzuki4) {
+    if (!effects.has(Effect::joints)) return std::nullopt;
+    return method + "cannot step rigid joints: use \"verlet\", \"symplectic_euler\" or \"suzuki4\"";
+  }
+  const bool damped =
+      std::any_of(scene.joints.begin(), scene.joints.end(), [](const JointDef& j) { return j.damping > 0; });
+  if (!effects.has(Effect::drag) && !damped) return std::nullopt;
+  return method + "steps backwards inside, where drag and dampers would drive instead of brake: use another one";
+}
+
 const char* name_of(Effect effect) {
   switch (effect) {
     case Effect::gravity:

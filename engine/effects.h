@@ -2,6 +2,7 @@
 
 /// Which effects a scene calls for. A scene pays only for what is on.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,12 @@ class EffectCensus {
 
 /// The effects a simulation of this scene runs: its list, or what can be inferred from what it holds.
 EffectSet effects_of(const Scene& scene);
+
+/// Whether an integrator goes together with whatever a scene may hold.
+bool steps_everything(Integrator integrator);
+/// Why the scene's method cannot step what the scene holds and what to choose instead, as a sentence; nothing when they
+/// go together.
+std::optional<std::string> problem_with_method(const Scene& scene);
 
 /// As the scenario language writes it.
 const char* name_of(Effect effect);

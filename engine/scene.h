@@ -127,7 +127,8 @@ struct RocketDef {
   Vec2d at;              ///< where it pushes, in body coordinates
 };
 
-enum class Integrator : std::uint8_t { symplectic_euler, verlet };
+/// Contacts take the first two, rigid joints the first three; scenes with neither take all (`problem_with_method`).
+enum class Integrator : std::uint8_t { symplectic_euler, verlet, suzuki4, rk4, implicit_midpoint, gauss_legendre6 };
 enum class Precision : std::uint8_t { float32, float64 };
 
 /// How a scene is solved. What is not offered here is not built, and the scenario language says so.

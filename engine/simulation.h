@@ -86,11 +86,12 @@ struct ContactEvent {
   double impulse = 0;  ///< N s along the normal during the tick
 };
 
-/// Why a simulation stopped: a number that is not finite.
+/// Why a simulation stopped: most often a number that is not finite.
 struct Failure {
   std::int64_t tick = 0;
-  BodyId body{};
+  BodyId body{};      ///< the world for all of them
   std::string stage;  ///< of the step, in words
+  std::string what = "became infinite or not a number";
 };
 
 class Simulation {

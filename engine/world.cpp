@@ -61,7 +61,7 @@ void World::step() {
 void World::step_in_stages() {
   if (on(Effect::contacts)) find_contacts();
   prepare_solvers();
-  for (int i = 0; i < method_.substeps; ++i) substep(h_);
+  for (int i = 0; i < method_.substeps; ++i) advance(h_);
   timed(StepStage::motion, [this] { book_work(); });
   timed(StepStage::motion, [this] { end_tick(); });
   collect_events();
@@ -72,7 +72,7 @@ void World::rebuild_if_changed() {
   if (!structure_changed_) return;
   structure_changed_ = false;
   effects_ = listed_effects_ ? *listed_effects_ : census_.inferred();
-  bodies_are_free_ = effects_.has_only(effects_of_free_bodies);
+  bodies_are_free_ = steps_everything(method_.integrator) && effects_.has_only(effects_of_free_bodies);
   gather_free_forces();
   if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_);
   hinged_.clear();
@@ -141,7 +141,7 @@ void World::prepare_solvers() {
 /// before. Drag and rockets change velocities by laws of their own and lie around the kicks, in the same halves and in
 /// mirrored order: there positions and velocities belong to one time, so that the work done is booked exactly.
 void World::substep(real h) {
-  const bool verlet = method_.integrator == Integrator::verlet;
+  const bool verlet = method_.integrator != Integrator::symplectic_euler;
   const real share = verlet ? real(0.5) : real(1);
   if (on(Effect::restitution)) timed(StepStage::restitution, [&] { bounce(h); });
   if (verlet) slow_down(share * h);
@@ -256,12 +256,19 @@ void World::collect_events() {
 }
 
 void World::detect_failure() {
+  if (diverged_) {
+    failure_ = Failure{tick_, BodyId::world, "integration", "cannot be found: its equations do not converge"};
+    return;
+  }
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].type != BodyType::dynamic) continue;
     const Motion& m = motions_[i];
     if (is_finite(bodies_[i].center) && is_finite(m.velocity) && std::isfinite(m.angle) && std::isfinite(m.spin))
       continue;
-    failure_ = Failure{tick_, static_cast<BodyId>(i), stage_of_failure(i)};
+    failure_.emplace();
+    failure_->tick = tick_;
+    failure_->body = static_cast<BodyId>(i);
+    failure_->stage = stage_of_failure(i);
     return;
   }
 }

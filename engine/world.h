@@ -16,6 +16,7 @@
 #include "engine/joint_solver.h"
 #include "engine/rocket.h"
 #include "engine/simulation.h"
+#include "engine/smooth_motion.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -60,6 +61,7 @@ class World final : public Simulation {
   void step_in_stages();
   void find_contacts();
   void prepare_solvers();
+  void advance(real h);
   void substep(real h);
   void slow_down(real h);
   void thrust(real h);
@@ -84,6 +86,11 @@ class World final : public Simulation {
   void burn_rockets(real h);
   void drag_all(real h);
   void drift_all(real h);
+
+  // Smooth scenes (world_smooth.cpp).
+  void advance_smoothly(real h);
+  void add_accelerations(Slopes& slopes);
+  void pull_springs();
 
   // Commands (world_commands.cpp).
   void execute(const CreateBody& command);
@@ -118,6 +125,7 @@ class World final : public Simulation {
   double potential_energy() const;
 
   bool hinged_together(BodyIndex a, BodyIndex b) const;
+  Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
   bool on(Effect effect) const { return effects_.has(effect); }
   /// Runs a part of the step; somebody may want to know how long it takes.
@@ -156,6 +164,9 @@ class World final : public Simulation {
   std::vector<Contact> contacts_;
   ContactSolver contact_solver_;
   JointSolver joint_solver_;
+  SmoothIntegrator smooth_integrator_;
+  std::vector<Motion> pulled_;  ///< scratch: places of now, velocities that forces would give in a second
+  bool diverged_ = false;       ///< an implicit integrator found no solution
   std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies with a revolute joint: they may overlap at the hinge
   std::vector<ContactEvent> events_;
   double booked_work_ = 0;

@@ -62,8 +62,7 @@ void World::bounce(real h) {
 }
 
 void World::fly_all() {
-  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
-  fly({accelerations_, drags_, wind}, method_.integrator, method_.substeps, h_, bodies_, motions_);
+  fly({accelerations_, drags_, wind_in_force()}, method_.integrator, method_.substeps, h_, bodies_, motions_);
 }
 
 /// By gravity, and by what commands ask for during this tick.
@@ -89,7 +88,7 @@ void World::burn_rockets(real h) {
 }
 
 void World::drag_all(real h) {
-  const Vec2 wind = on(Effect::wind) ? wind_ : Vec2{};
+  const Vec2 wind = wind_in_force();
   for (BodyIndex i = 1; i < drags_.size(); ++i) {
     if (drags_[i].acts()) apply_drag(motions_[i], drags_[i], wind, h);
   }

@@ -146,6 +146,7 @@ BodyId create_body(Model& model, BodyRecord record) {
   if (model.simulation != nullptr) model.simulation->apply(CreateBody{record.def});
   model.scenario.body_names.push_back(record.def.name);
   model.bodies.push_back(std::move(record));
+  if (model.simulation != nullptr) model.check_method();
   model.touch();
   return id;
 }

@@ -45,6 +45,7 @@ int push_new_joint(lua_State* state, const JointDef& joint) {
   model.warn_of_omissions(called_for_by(joint));
   if (model.simulation != nullptr) model.simulation->apply(CreateJoint{joint});
   model.joints.push_back({joint, false});
+  if (model.simulation != nullptr) model.check_method();
   model.touch();
   push_joint(state, id);
   return 1;

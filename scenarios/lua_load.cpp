@@ -70,6 +70,7 @@ void LuaScript::finish_loading() {
   link_references();
   check_expectations();
   scenario.scene = model_.scene_so_far();
+  model_.check_method();
   if (scenario.title.empty()) scenario.title = scenario.id;
   if (!scenario.scene.effects) return;
   for (std::string& warning : omission_warnings(called_for_by(scenario.scene), *scenario.scene.effects)) {

@@ -72,6 +72,11 @@ void Model::warn_of_omissions(EffectSet wanted) {
   }
 }
 
+void Model::check_method() const {
+  if (steps_everything(scenario.scene.method.integrator)) return;
+  if (const auto problem = problem_with_method(scene_so_far())) throw Problem(*problem);
+}
+
 Model& model_of(lua_State* state) { return *static_cast<Model*>(sandbox_of(state).client()); }
 
 void charge_for_making(lua_State* state) {

@@ -102,6 +102,8 @@ struct Model {
   void must_load(const std::string& what) const;
   /// Adds to the warnings when the list of effects omits what was just made.
   void warn_of_omissions(EffectSet wanted);
+  /// Throws Problem where the method cannot step what the scene holds by now.
+  void check_method() const;
   /// The scene has changed while loading.
   void touch() { preview_.reset(); }
 

@@ -23,9 +23,8 @@ constexpr Name method_keys[] = {{"integrator"}, {"contact_solver"}, {"joint_solv
                                 {"iterations"}, {"contact_hz"},     {"precision"}};
 constexpr Name golden_keys[] = {{"frames"}, {"size"}};
 constexpr Name theme_names[] = {{"light"}, {"dark"}, {"print"}};
-constexpr Name integrator_names[] = {{"symplectic_euler"},         {"verlet"},
-                                     {"suzuki4", false},           {"rk4", false},
-                                     {"implicit_midpoint", false}, {"gauss_legendre6", false}};
+constexpr Name integrator_names[] = {{"symplectic_euler"},  {"verlet"},         {"suzuki4"}, {"rk4"},
+                                     {"implicit_midpoint"}, {"gauss_legendre6"}};
 constexpr Name contact_solver_names[] = {
     {"soft_step"}, {"sequential_impulses", false}, {"ngs", false}, {"exact", false}, {"event", false}};
 constexpr Name joint_solver_names[] = {{"direct"}, {"iterative", false}};

@@ -44,8 +44,8 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
   char time[32];
   std::snprintf(time, sizeof time, "%.6g", static_cast<double>(failure.tick) / scenario.scene.rate);
   return scenario.path + ": the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + " s): in " +
-         failure.stage + " the motion of " + who +
-         " became infinite or not a number; use smaller forces or stiffness, " + "or a higher rate";
+         failure.stage + " the motion of " + who + " " + failure.what +
+         "; use smaller forces or stiffness, or a higher rate";
 }
 
 }  // namespace

@@ -39,10 +39,6 @@ TEST_CASE("Methods of bodies that are not built are refused by name") {
 
 TEST_CASE("Ways of solving and effects that are not built are refused by name") {
   const auto [key, name] = GENERATE(table<std::string, std::string>({
-      {"method={integrator='suzuki4'}", "suzuki4"},
-      {"method={integrator='rk4'}", "rk4"},
-      {"method={integrator='implicit_midpoint'}", "implicit_midpoint"},
-      {"method={integrator='gauss_legendre6'}", "gauss_legendre6"},
       {"method={contact_solver='sequential_impulses'}", "sequential_impulses"},
       {"method={contact_solver='ngs'}", "ngs"},
       {"method={contact_solver='exact'}", "exact"},

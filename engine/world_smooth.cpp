@@ -1,0 +1,96 @@
+// Smooth scenes: what all forces together accelerate the bodies by, for the integrators that ask at several places
+// within a step (smooth_motion.h).
+
+#include <array>
+
+#include "engine/attraction.h"
+#include "engine/drag.h"
+#include "engine/world.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// Five steps of verlet, the middle one backwards, cancel the errors of third order: p = 1 / (4 - 4^(1/3)) (Suzuki
+/// 1990).
+constexpr double p = 0.41449077179437573714;
+constexpr std::array<double, 5> suzuki_steps{p, p, 1 - 4 * p, p, p};
+
+/// The force of a spring and its damper on body b.
+struct SpringPull {
+  AnchorGap at;
+  Vec2 force;
+};
+
+SpringPull pull_of(const Joint& spring, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {
+  SpringPull pull{anchor_gap(spring, bodies, motions), {}};
+  const real stretched = length(pull.at.gap);
+  if (stretched <= 0) return pull;
+  const Vec2 along = (1 / stretched) * pull.at.gap;
+  const Vec2 parting =
+      motions[spring.body_b].velocity_at(pull.at.arm_b) - motions[spring.body_a].velocity_at(pull.at.arm_a);
+  pull.force = -(spring.stiffness * (stretched - spring.length) + spring.damping * dot(parting, along)) * along;
+  return pull;
+}
+
+bool is_spring(const Joint& joint) { return joint.alive && joint.kind == JointKind::spring; }
+
+}  // namespace
+
+void World::advance(real h) {
+  switch (method_.integrator) {
+    case Integrator::symplectic_euler:
+    case Integrator::verlet:
+      return substep(h);
+    case Integrator::suzuki4:
+      for (const double part : suzuki_steps) substep(static_cast<real>(part) * h);
+      return;
+    case Integrator::rk4:
+    case Integrator::implicit_midpoint:
+    case Integrator::gauss_legendre6:
+      return advance_smoothly(h);
+  }
+}
+
+void World::advance_smoothly(real h) {
+  timed(StepStage::motion, [&] {
+    const auto accelerate = [this](real, Slopes& slopes) { add_accelerations(slopes); };
+    if (!smooth_integrator_.step(method_.integrator, h, motions_, accelerate)) diverged_ = true;
+  });
+  for (Joint& joint : joints_) {
+    if (is_spring(joint)) joint.impulse += h * pull_of(joint, bodies_, motions_).force;
+  }
+}
+
+/// Forces are written as what they do to velocities in some time: in one second, from rest, that is the acceleration.
+void World::add_accelerations(Slopes& slopes) {
+  pulled_ = motions_;
+  for (Motion& m : pulled_) {
+    m.velocity = {};
+    m.spin = 0;
+  }
+  for (BodyIndex i = 0; i < accelerations_.size(); ++i) pulled_[i].velocity = accelerations_[i];
+  for (const Push& push : pushed_) pulled_[push.body].spin = motions_[push.body].inv_inertia * push.torque;
+  if (on(Effect::attractor)) {
+    for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, pulled_, 1);
+  }
+  if (on(Effect::nbody)) kick_towards_each_other(gravitational_constant_, bodies_, pulled_, 1);
+  if (on(Effect::springs)) pull_springs();
+  for (BodyIndex i = 0; i < slopes.size(); ++i) {
+    slopes[i].acceleration = pulled_[i].velocity;
+    slopes[i].angular_acceleration = pulled_[i].spin;
+  }
+  for (BodyIndex i = 0; i < drags_.size(); ++i) add_drag(motions_[i], drags_[i], wind_in_force(), slopes[i]);
+}
+
+void World::pull_springs() {
+  for (const Joint& joint : joints_) {
+    if (!is_spring(joint)) continue;
+    const SpringPull pull = pull_of(joint, bodies_, motions_);
+    pulled_[joint.body_a].push(-pull.force, pull.at.arm_a);
+    pulled_[joint.body_b].push(pull.force, pull.at.arm_b);
+  }
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
