@@ -1,0 +1,1 @@
+// What all tests include is compiled ahead, with this file as its owner.
