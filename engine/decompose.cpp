@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 
 #include "engine/polygon.h"
@@ -275,8 +275,8 @@ Vec2d flattest_corner(const Points& part) {
 
 std::string in_words(double x) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
-  return {text.data(), end};
+  std::snprintf(text.data(), text.size(), "%.10g", x);
+  return text.data();
 }
 
 std::string thinness_sentence(Vec2d corner) {

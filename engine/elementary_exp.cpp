@@ -91,9 +91,9 @@ Parts parts_of(double x) {
     x *= 0x1p54;
     exponent -= 54;
   }
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = bits_as<std::uint64_t>(x);
   exponent += static_cast<int>(bits >> 52);
-  const double m = std::bit_cast<double>((bits & 0xfffffffffffffU) | 0x3ff0000000000000U);
+  const double m = bits_as<double>((bits & 0xfffffffffffffU) | 0x3ff0000000000000U);
   return m > 0x1.6a09e667f3bcdp+0 ? Parts{m / 2, exponent + 1} : Parts{m, exponent};
 }
 

@@ -2,11 +2,11 @@
 
 /// What the sources of the elementary functions share. Nobody else includes this.
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
+#include "engine/bits.h"
 #include "engine/double_double.h"
 
 namespace proofreel::elementary {
@@ -33,7 +33,7 @@ constexpr double nearest_whole(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
 /// 2^n for -1022 <= n <= 1023.
 constexpr double power_of_two(int n) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(n) + 1023) << 52);
+  return bits_as<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(n) + 1023) << 52);
 }
 
 }  // namespace proofreel::elementary

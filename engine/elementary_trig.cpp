@@ -80,7 +80,7 @@ DoubleDouble fraction_of(const Words& a) {
 /// that contribute multiples of 4 quarter turns are never multiplied. No double comes closer than 2^-62 to a multiple
 /// of pi/2, so 190 digits behind the point leave more than enough.
 Reduced reduce_exactly(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = bits_as<std::uint64_t>(x);
   const int e = static_cast<int>(bits >> 52) - 1075;
   const std::uint64_t m = (bits & 0xfffffffffffffU) | 0x10000000000000U;
   // The digit with weight 2^-i stands at place i + 63; from i = e - 1 on, m * digit * 2^(e - i) is less than 4 * m / 2.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
+#include "engine/bits.h"
 #include "engine/double_double.h"
 
 namespace proofreel {
@@ -24,7 +24,7 @@ struct Digits {
 
 Digits digits_of(double x) {
   constexpr std::uint64_t low_digit = 0xFFFF'FFFF;
-  const auto bits = std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
+  const auto bits = bits_as<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
   const std::uint64_t exponent = bits >> 52;
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const std::uint64_t mantissa = exponent > 0 ? fraction | std::uint64_t{1} << 52 : fraction;
