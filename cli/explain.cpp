@@ -37,7 +37,7 @@ Json json_of(const Explanation& explanation, std::optional<double> instructions)
 }
 
 void print_row(const ExplainedStage& stage, double whole) {
-  std::printf("  %-12s  %-3s  ", stage.name.c_str(), stage.on ? "on" : "off");
+  std::printf("  %-18s  %-3s  ", stage.name.c_str(), stage.on ? "on" : "off");
   if (stage.us_per_tick) {
     std::printf("%9.2f us  %3.0f %%  ", *stage.us_per_tick, whole > 0 ? 100 * *stage.us_per_tick / whole : 0);
   } else {

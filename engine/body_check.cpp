@@ -22,6 +22,10 @@ std::optional<std::string> problem_with_coefficients(const ShapeDef& shape) {
   if (shape.friction.at_rest < shape.friction.sliding)
     return "its static friction must not be below its kinetic friction";
   if (!(shape.restitution >= 0 && shape.restitution <= 1)) return "its restitution must lie between 0 and 1";
+  if (!(shape.rolling_resistance >= 0) || !usable(shape.rolling_resistance)) {
+    return "its rolling_resistance must be a number from 0 to 1e9 m";
+  }
+  if (!usable(shape.surface_speed)) return "its surface_speed must be a number below 1e9 m/s";
   return std::nullopt;
 }
 

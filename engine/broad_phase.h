@@ -26,7 +26,9 @@ struct Shape {
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
-  real reach = 0;  ///< from the body's centre of mass to the farthest point
+  real rolling_resistance = 0;  ///< m
+  real surface_speed = 0;       ///< m/s
+  real reach = 0;               ///< from the body's centre of mass to the farthest point
   ProxyId proxy = 0;
 };
 

@@ -64,6 +64,8 @@ void mix_materials(Contact& contact, const Shape& a, const Shape& b) {
   contact.friction_at_rest = std::sqrt(a.friction_at_rest * b.friction_at_rest);
   contact.friction_sliding = std::sqrt(a.friction_sliding * b.friction_sliding);
   contact.restitution = std::max(a.restitution, b.restitution);
+  contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance);
+  contact.surface_speed = a.surface_speed + b.surface_speed;
 }
 
 void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
@@ -90,6 +92,7 @@ void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const s
     contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound, contact.a_to_b);
   }
   carry_over(old, old_impulses, contact);
+  if (contact.manifold.count == 0) contact.rolling_impulse = 0;
 }
 
 }  // namespace PROOFREEL_PRECISION

@@ -31,13 +31,16 @@ struct Contact {
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
+  real rolling_resistance = 0;  ///< lever, m
+  real surface_speed = 0;       ///< of A's surface and B's together, against each other, m/s
   Manifold manifold;
   Vec2 a_to_b;  ///< from A's centre to B's when they touch as the manifold says: now, or at the predicted impact
   PointImpulse impulses[2];
+  real rolling_impulse = 0;  ///< N m s on B in the last substep
 };
 
 /// Coefficients of two shapes together: friction sqrt(a b), static with static and kinetic with kinetic; restitution
-/// the larger.
+/// and rolling resistance the larger; surface speeds summed.
 void mix_materials(Contact& contact, const Shape& a, const Shape& b);
 
 /// Runs the narrow phase for one contact and carries the impulses over to the points that are still the same.

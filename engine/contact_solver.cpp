@@ -46,9 +46,13 @@ Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& 
 
 real friction_of(const ContactConstraint& c) { return c.sliding ? c.friction_sliding : c.friction_at_rest; }
 
-void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b) {
+/// `wanted_slip` is how fast the surfaces should move along each other: not at all, unless they are belts.
+template <bool moving>
+[[gnu::always_inline]] inline void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b,
+                                                  real wanted_slip) {
   const Vec2 tangent = perp(c.normal);
-  const real slip = dot(relative_velocity(a, b, p), tangent);
+  real slip = dot(relative_velocity(a, b, p), tangent);
+  if constexpr (moving) slip -= wanted_slip;
   const real wanted = p.tangent_impulse - p.tangent_mass * slip;
   const real limit = friction_of(c) * p.normal_impulse;
   const real impulse = std::clamp(wanted, -limit, limit);
@@ -56,8 +60,10 @@ void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, M
   p.tangent_impulse = impulse;
 }
 
+// Left to itself the compiler stops inlining these when there are several kinds of sweep: 6 % more instructions.
 template <bool driving_out>
-void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b, const Softness& soft, real h) {
+[[gnu::always_inline]] inline void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b,
+                                                const Softness& soft, real h) {
   const real separation = separation_of(c, p, a, b);
   real bias = 0;
   real mass_scale = 1;
@@ -106,9 +112,9 @@ real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const M
 }
 
 void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
-                            const std::vector<Motion>& motions, Softness softness, bool friction) {
+                            const std::vector<Motion>& motions, Softness softness, ContactParts parts) {
   softness_ = softness;
-  friction_ = friction;
+  parts_ = parts;
   constraints_.clear();
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -129,6 +135,12 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
                                motions[c.body_b]);
     }
   }
+  surface_speeds_.clear();
+  if (parts.surface_speed) {
+    for (const ContactConstraint& c : constraints_) surface_speeds_.push_back(contacts[c.contact].surface_speed);
+  }
+  rolling_.clear();
+  if (parts.rolling_resistance) rolling_.prepare(contacts, constraints_, motions);
 }
 
 void ContactSolver::begin_substep(std::vector<Motion>& motions, real share) {
@@ -141,6 +153,7 @@ void ContactSolver::begin_substep(std::vector<Motion>& motions, real share) {
       p.tangent_impulse = 0;
     }
   }
+  rolling_.begin_substep();
   add_share(motions, share);
 }
 
@@ -155,9 +168,10 @@ void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
       push_apart(motions[c.body_a], motions[c.body_b], p, normal * c.normal + tangent * perp(c.normal));
     }
   }
+  rolling_.add_share(motions, share);
 }
 
-template <bool driving_out, bool friction>
+template <bool driving_out, bool friction, bool moving>
 void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
   const std::size_t n = constraints_.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -167,18 +181,23 @@ void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
     Motion& b = motions[c.body_b];
     for (int k = 0; k < c.count; ++k) solve_normal<driving_out>(c, c.points[k], a, b, softness_, h);
     if constexpr (friction) {
-      for (int k = 0; k < c.count; ++k) solve_friction(c, c.points[k], a, b);
+      real wanted_slip = 0;
+      if constexpr (moving) wanted_slip = surface_speeds_[driving_out ? i : n - 1 - i];
+      for (int k = 0; k < c.count; ++k) solve_friction<moving>(c, c.points[k], a, b, wanted_slip);
     }
   }
 }
 
 template <bool driving_out>
 void ContactSolver::sweep(std::vector<Motion>& motions, real h) {
-  if (friction_) {
-    sweep_all<driving_out, true>(motions, h);
+  if (!parts_.friction) {
+    sweep_all<driving_out, false, false>(motions, h);
+  } else if (parts_.surface_speed) {
+    sweep_all<driving_out, true, true>(motions, h);
   } else {
-    sweep_all<driving_out, false>(motions, h);
+    sweep_all<driving_out, true, false>(motions, h);
   }
+  rolling_.sweep(constraints_, motions);
 }
 
 template void ContactSolver::sweep<true>(std::vector<Motion>&, real);
@@ -192,6 +211,7 @@ void ContactSolver::end_substep() {
     }
     c.sliding = slides(c);
   }
+  rolling_.end_substep();
 }
 
 void ContactSolver::store(std::vector<Contact>& contacts) const {
@@ -202,6 +222,7 @@ void ContactSolver::store(std::vector<Contact>& contacts) const {
       contacts[c.contact].impulses[k] = {p.normal_impulse, p.tangent_impulse, p.normal_total, p.tangent_total};
     }
   }
+  rolling_.store(constraints_, contacts);
 }
 
 }  // namespace PROOFREEL_PRECISION

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/contact.h"
+#include "engine/rolling.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -54,11 +55,18 @@ struct ContactConstraint {
 /// The separation of a point at the present positions.
 real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const Motion& a, const Motion& b);
 
+/// What of a contact's behaviour is solved; what is off is left out altogether.
+struct ContactParts {
+  bool friction = true;
+  bool rolling_resistance = false;
+  bool surface_speed = false;
+};
+
 class ContactSolver {
  public:
-  /// Collects the contacts that have points. `friction` false leaves friction out altogether.
+  /// Collects the contacts that have points.
   void prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
-               const std::vector<Motion>& motions, Softness softness, bool friction);
+               const std::vector<Motion>& motions, Softness softness, ContactParts parts);
   /// Starts a substep: applies `share` of the impulses of the one before.
   void begin_substep(std::vector<Motion>& motions, real share);
   /// Adds the other share before the relaxing sweep.
@@ -72,16 +80,22 @@ class ContactSolver {
   /// Hands the impulses back to the contacts.
   void store(std::vector<Contact>& contacts) const;
   std::vector<ContactConstraint>& constraints() { return constraints_; }
+  /// How fast friction wants the surfaces of every constraint to move along each other, m/s: B's against A's, along the
+  /// normal turned a quarter counter-clockwise. Empty where no surface moves by itself.
+  const std::vector<real>& surface_speeds() const { return surface_speeds_; }
+  const std::vector<RollingRows::Row>& rolling() const { return rolling_.rows(); }
 
  private:
   template <bool driving_out>
   void sweep(std::vector<Motion>& motions, real h);
-  template <bool driving_out, bool friction>
+  template <bool driving_out, bool friction, bool moving>
   void sweep_all(std::vector<Motion>& motions, real h);
 
   std::vector<ContactConstraint> constraints_;
+  std::vector<real> surface_speeds_;  ///< parallel to constraints_, or empty
+  RollingRows rolling_;
   Softness softness_;
-  bool friction_ = true;
+  ContactParts parts_;
 };
 
 }  // namespace PROOFREEL_PRECISION

@@ -10,7 +10,9 @@ EffectCensus::EffectCensus(const Scene& scene)
       wind_(!(scene.wind == Vec2d{})),
       attractor_(!scene.attractors.empty()),
       nbody_(scene.gravitational_constant.has_value()),
-      rocket_(!scene.rockets.empty()) {}
+      rocket_(!scene.rockets.empty()),
+      buoyancy_(scene.water.has_value()),
+      field_(!scene.fields.empty()) {}
 
 void EffectCensus::add(const BodyDef& body) {
   drag_ |= body.drag && body.drag->acts();
@@ -26,7 +28,9 @@ void EffectCensus::add(const BodyDef& body) {
   sensor_ |= body.sensor;
   for (const ShapeDef& shape : body.shapes) {
     friction_ |= shape.friction.at_rest > 0 || shape.friction.sliding > 0;
+    rolling_resistance_ |= shape.rolling_resistance > 0;
     restitution_ |= shape.restitution > 0;
+    surface_speed_ |= shape.surface_speed != 0;
   }
 }
 
@@ -59,12 +63,18 @@ std::vector<EffectDecision> EffectCensus::decisions() const {
          wind_ ? "wind is given, but nothing drags" : "no wind is given");
   decide(Effect::attractor, attractor_, "an attractor is given", "no attractor is given");
   decide(Effect::nbody, nbody_, "bodies attract each other", "bodies do not attract each other");
+  decide(Effect::buoyancy, buoyancy_, "there is water", "there is no water");
+  decide(Effect::field, field_, "a force field is given", "no force field is given");
   decide(Effect::springs, spring_, "there is a spring", "there is no spring");
   decide(Effect::rocket, rocket_, "there is a rocket", "there is no rocket");
   decide(Effect::contacts, contacts, "bodies can meet", nothing_meets);
   at_contacts(Effect::friction, friction_, "bodies can meet, and a shape has friction", "no shape has friction");
+  at_contacts(Effect::rolling_resistance, rolling_resistance_, "bodies can meet, and a shape resists rolling",
+              "no shape has rolling resistance");
   at_contacts(Effect::restitution, restitution_, "bodies can meet, and a shape has restitution",
               "no shape has restitution");
+  at_contacts(Effect::surface_speed, friction_ && surface_speed_, "bodies can meet, and a surface moves",
+              surface_speed_ ? "a surface moves, but no shape has friction" : "no surface moves");
   at_contacts(Effect::ccd, true, "bodies can meet, and none may pass through another", "");
   decide(Effect::joints, rigid_joint_, "there is a rigid joint", "there is no rigid joint");
   at_contacts(Effect::sensors, sensor_, "bodies can meet, and one is a sensor", "no body is a sensor");
@@ -136,9 +146,13 @@ std::optional<std::string> problem_with_method(const Scene& scene) {
     if (!effects.has(Effect::joints)) return std::nullopt;
     return method + "cannot step rigid joints: use \"verlet\", \"symplectic_euler\" or \"suzuki4\"";
   }
+  if (effects.has(Effect::field))
+    return method +
+           "steps backwards inside, which a force field that may look at velocities does not bear: use another";
   const bool damped =
       std::any_of(scene.joints.begin(), scene.joints.end(), [](const JointDef& j) { return j.damping > 0; });
-  if (!effects.has(Effect::drag) && !damped) return std::nullopt;
+  const bool wading = effects.has(Effect::buoyancy) && scene.water && scene.water->drag > 0;
+  if (!effects.has(Effect::drag) && !damped && !wading) return std::nullopt;
   return method + "steps backwards inside, where drag and dampers would drive instead of brake: use another one";
 }
 
@@ -156,14 +170,22 @@ const char* name_of(Effect effect) {
       return "nbody";
     case Effect::rocket:
       return "rocket";
+    case Effect::buoyancy:
+      return "buoyancy";
+    case Effect::field:
+      return "field";
     case Effect::springs:
       return "springs";
     case Effect::contacts:
       return "contacts";
     case Effect::friction:
       return "friction";
+    case Effect::rolling_resistance:
+      return "rolling_resistance";
     case Effect::restitution:
       return "restitution";
+    case Effect::surface_speed:
+      return "surface_speed";
     case Effect::ccd:
       return "ccd";
     case Effect::joints:

@@ -46,9 +46,13 @@ class EffectCensus {
   bool attractor_ = false;
   bool nbody_ = false;
   bool rocket_ = false;
+  bool buoyancy_ = false;
+  bool field_ = false;
   std::vector<MeetingClass> classes_;
   bool friction_ = false;
+  bool rolling_resistance_ = false;
   bool restitution_ = false;
+  bool surface_speed_ = false;
   bool sensor_ = false;
   bool spring_ = false;
   bool rigid_joint_ = false;

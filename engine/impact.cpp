@@ -17,6 +17,7 @@ struct Pair {
   Motion& a;
   Motion& b;
   Vec2 acceleration;  ///< of b relative to a
+  real wanted_slip;   ///< of moving surfaces, m/s
 
   real separation(int k) const { return separation_of(c, c.points[k], a, b); }
   real approach(int k, real t) const {
@@ -66,7 +67,7 @@ bool impulses_of_both(const Pair& pair, real t, real (&impulse)[2]) {
 
 void rub(const Pair& pair, const ConstraintPoint& p, real normal_impulse, real& total) {
   const Vec2 tangent = perp(pair.c.normal);
-  const real slip = dot(pair.b.velocity_at(p.arm_b) - pair.a.velocity_at(p.arm_a), tangent);
+  const real slip = dot(pair.b.velocity_at(p.arm_b) - pair.a.velocity_at(p.arm_a), tangent) - pair.wanted_slip;
   const real wanted = -p.tangent_mass * slip;
   const real held = pair.c.friction_at_rest * normal_impulse;
   const real limit = std::abs(wanted) <= held ? held : pair.c.friction_sliding * normal_impulse;
@@ -117,14 +118,18 @@ bool bounce(ContactConstraint& c, Pair pair, real h, real resting_speed, bool fr
 }  // namespace
 
 void resolve_impacts(std::vector<ContactConstraint>& constraints, std::span<const Vec2> accelerations,
-                     std::vector<Motion>& motions, real h, real resting_speed, bool friction) {
+                     std::vector<Motion>& motions, real h, real resting_speed, bool friction,
+                     std::span<const real> surface_speeds) {
   bool any = true;
   for (int sweep = 0; any && sweep < max_sweeps; ++sweep) {
     any = false;
-    for (ContactConstraint& c : constraints) {
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      ContactConstraint& c = constraints[i];
       if (c.restitution <= 0) continue;
       const Vec2 acceleration = accelerations.empty() ? Vec2{} : accelerations[c.body_b] - accelerations[c.body_a];
-      any |= bounce(c, {c, motions[c.body_a], motions[c.body_b], acceleration}, h, resting_speed, friction);
+      const real wanted_slip = surface_speeds.empty() ? real(0) : surface_speeds[i];
+      const Pair pair{c, motions[c.body_a], motions[c.body_b], acceleration, wanted_slip};
+      any |= bounce(c, pair, h, resting_speed, friction);
     }
   }
 }

@@ -17,8 +17,10 @@ inline namespace PROOFREEL_PRECISION {
 /// Resolves all impacts of the next `h` seconds among contacts with restitution. `accelerations` of the bodies, none
 /// where nothing accelerates. Bodies that approach slower than
 /// `resting_speed` (m/s) do not bounce: the contact solver brings them to rest. To be called before the first kick.
+/// `surface_speeds` as the contact solver tells them.
 void resolve_impacts(std::vector<ContactConstraint>& constraints, std::span<const Vec2> accelerations,
-                     std::vector<Motion>& motions, real h, real resting_speed, bool friction);
+                     std::vector<Motion>& motions, real h, real resting_speed, bool friction,
+                     std::span<const real> surface_speeds);
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

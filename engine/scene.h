@@ -4,6 +4,7 @@
 /// SI units, radians, y up. Ids are positions in the order of creation and are never used again.
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -44,6 +45,8 @@ struct ShapeDef {
   double density = 1;  ///< kg/m^2
   FrictionDef friction;
   double restitution = 0;
+  double rolling_resistance = 0;  ///< lever, m: what rolls is braked by a torque of lever * normal force
+  double surface_speed = 0;       ///< of a belt round the shape, m/s along the tangent, counter-clockwise positive
 };
 
 /// What meets what: bodies of the same negative group never do; otherwise both masks must hold the other's category.
@@ -127,6 +130,17 @@ struct RocketDef {
   Vec2d at;              ///< where it pushes, in body coordinates
 };
 
+/// Water at rest that fills everything below a height. Gravity must point down (x = 0, y <= 0): its level is one.
+struct WaterDef {
+  double level = 0;    ///< y of its surface, m
+  double density = 0;  ///< kg/m^2
+  double drag = 0;     ///< N s/m for every square metre of a body that is wet
+};
+
+/// A force in N on a centre of mass that is at a place, m, with a velocity, m/s, at a time, s. Must give the same for
+/// the same: nothing else may decide.
+using ForceField = std::function<Vec2d(Vec2d at, Vec2d velocity, double time)>;
+
 /// Contacts take the first two, rigid joints the first three; scenes with neither take all (`problem_with_method`).
 enum class Integrator : std::uint8_t { symplectic_euler, verlet, suzuki4, rk4, implicit_midpoint, gauss_legendre6 };
 enum class Precision : std::uint8_t { float32, float64 };
@@ -147,16 +161,20 @@ enum class Effect : std::uint8_t {
   wind,
   attractor,
   nbody,
+  buoyancy,
+  field,
   springs,
   rocket,
   contacts,
   friction,
+  rolling_resistance,
   restitution,
+  surface_speed,
   ccd,
   joints,
   sensors
 };
-inline constexpr int effect_count = 13;
+inline constexpr int effect_count = 17;
 
 /// A set of effects.
 class EffectSet {
@@ -186,6 +204,8 @@ struct Scene {
   std::vector<AttractorDef> attractors;
   std::optional<double> gravitational_constant;  ///< m^3/(kg s^2): dynamic bodies attract each other
   std::vector<RocketDef> rockets;
+  std::optional<WaterDef> water;
+  std::vector<ForceField> fields;  ///< add up; what they refer to must outlive the simulation
 };
 
 }  // namespace proofreel

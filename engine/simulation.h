@@ -34,9 +34,11 @@ struct ChangeBody {
   std::optional<std::vector<ShapeDef>> shapes;
   std::optional<double> mass;
   std::optional<double> inertia;
-  std::optional<FrictionDef> friction;  ///< of all shapes
-  std::optional<double> restitution;    ///< of all shapes
-  std::optional<double> density;        ///< of all shapes
+  std::optional<FrictionDef> friction;       ///< of all shapes
+  std::optional<double> restitution;         ///< of all shapes
+  std::optional<double> rolling_resistance;  ///< of all shapes
+  std::optional<double> surface_speed;       ///< of all shapes
+  std::optional<double> density;             ///< of all shapes
   std::optional<double> gravity_scale;
   std::optional<bool> fixed_rotation;
   std::optional<bool> bullet;

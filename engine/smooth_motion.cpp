@@ -11,11 +11,12 @@ constexpr int most_rounds = 200;
 
 Slope operator+(const Slope& a, const Slope& b) {
   return {a.velocity + b.velocity, a.spin + b.spin, a.acceleration + b.acceleration,
-          a.angular_acceleration + b.angular_acceleration};
+          a.angular_acceleration + b.angular_acceleration, a.power + b.power};
 }
 
 Slope operator*(real factor, const Slope& s) {
-  return {factor * s.velocity, factor * s.spin, factor * s.acceleration, factor * s.angular_acceleration};
+  return {factor * s.velocity, factor * s.spin, factor * s.acceleration, factor * s.angular_acceleration,
+          factor * s.power};
 }
 
 /// The motion that `change` leads to from `start`: a slope times a time.
@@ -58,10 +59,9 @@ struct GaussRule<3> {
 };
 
 /// The sum of the stages' slopes of body i, weighted.
-template <int stages>
-Slope weighted(const Slopes (&slopes)[4], std::size_t i, real h, const double (&weights)[stages]) {
+Slope weighted(const Slopes (&slopes)[4], std::size_t i, real h, std::span<const double> weights) {
   Slope sum = h * static_cast<real>(weights[0]) * slopes[0][i];
-  for (int j = 1; j < stages; ++j) sum = sum + h * static_cast<real>(weights[j]) * slopes[j][i];
+  for (std::size_t j = 1; j < weights.size(); ++j) sum = sum + h * static_cast<real>(weights[j]) * slopes[j][i];
   return sum;
 }
 
@@ -104,7 +104,16 @@ void SmoothIntegrator::rk4(real h, std::vector<Motion>& motions, const Accelerat
     look(at[stage], motions, accelerate, slopes_[stage]);
   }
   constexpr double weights[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-  for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = moved(start_[i], weighted<4>(slopes_, i, h, weights));
+  finish(h, motions, weights);
+}
+
+void SmoothIntegrator::finish(real h, std::vector<Motion>& motions, std::span<const double> weights) {
+  work_ = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Slope whole = weighted(slopes_, i, h, weights);
+    motions[i] = moved(start_[i], whole);
+    work_ += static_cast<double>(whole.power);
+  }
 }
 
 template <int stages>
@@ -120,7 +129,7 @@ bool SmoothIntegrator::gauss(real h, std::vector<Motion>& motions, const Acceler
     change = size = 0;
     for (int stage = 0; stage < stages; ++stage) {
       for (std::size_t i = 0; i < motions.size(); ++i)
-        motions[i] = moved(start_[i], weighted<stages>(slopes_, i, h, Rule::row[stage]));
+        motions[i] = moved(start_[i], weighted(slopes_, i, h, Rule::row[stage]));
       look(static_cast<real>(Rule::at[stage]) * h, motions, accelerate, renewed_);
       for (std::size_t i = 0; i < motions.size(); ++i) {
         const real changed = size_of(renewed_[i] + real(-1) * slopes_[stage][i]);
@@ -130,8 +139,7 @@ bool SmoothIntegrator::gauss(real h, std::vector<Motion>& motions, const Acceler
       std::swap(slopes_[stage], renewed_);
     }
   } while (convergence.goes_on(change, size) && ++round < most_rounds);
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    motions[i] = moved(start_[i], weighted<stages>(slopes_, i, h, Rule::weight));
+  finish(h, motions, Rule::weight);
   return convergence.done();
 }
 

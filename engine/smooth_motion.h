@@ -9,6 +9,7 @@
 /// are solved by iterating to the last bit, which converges while h times the highest frequency stays below about 2.
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/body.h"
@@ -22,6 +23,7 @@ struct Slope {
   real spin = 0;
   Vec2 acceleration;
   real angular_acceleration = 0;
+  real power = 0;  ///< of forces without a potential, W
 };
 using Slopes = std::vector<Slope>;
 
@@ -34,8 +36,11 @@ class SmoothIntegrator {
   /// Moves all bodies on by `h` seconds. False when the equations of an implicit rule did not converge: then the
   /// motions are useless.
   bool step(Integrator integrator, real h, std::vector<Motion>& motions, const Accelerate& accelerate);
+  /// What the power of the last step came to, J, as exactly as the motion itself.
+  double work() const { return work_; }
 
  private:
+  void finish(real h, std::vector<Motion>& motions, std::span<const double> weights);
   void rk4(real h, std::vector<Motion>& motions, const Accelerate& accelerate);
   template <int stages>
   bool gauss(real h, std::vector<Motion>& motions, const Accelerate& accelerate);
@@ -44,6 +49,7 @@ class SmoothIntegrator {
   std::vector<Motion> start_;
   Slopes slopes_[4];
   Slopes renewed_;
+  double work_ = 0;
 };
 
 }  // namespace PROOFREEL_PRECISION

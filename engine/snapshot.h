@@ -4,6 +4,7 @@
 /// simulation goes on. What a simulation does not offer stays empty.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@
 
 namespace proofreel {
 
-/// Joules. `potential` counts gravity (zero at y = 0) and springs. `booked_work` is what kinematic bodies and commands
-/// have put in since the start: kinetic + potential - booked_work stays constant where nothing dissipates.
+/// Joules. `potential` counts gravity (zero at y = 0), springs, attraction, and the water pushed away. `booked_work` is
+/// what kinematic bodies, moving surfaces, force fields, rockets and commands have put in since the start: kinetic +
+/// potential - booked_work stays constant where nothing dissipates.
 struct Energy {
   double kinetic = 0;
   double potential = 0;
@@ -97,8 +99,9 @@ struct Snapshot {
   std::vector<Vec2d> points;
   std::vector<ContactView> contacts;
   std::vector<JointView> joints;
-  std::vector<TreeBoxView> tree;  ///< parents before children
-  std::vector<Aabbd> aabbs;       ///< the tight boxes of all shapes
+  std::vector<TreeBoxView> tree;      ///< parents before children
+  std::vector<Aabbd> aabbs;           ///< the tight boxes of all shapes
+  std::optional<double> water_level;  ///< y of the surface, where bodies float
   Energy energy;
 };
 

@@ -18,12 +18,14 @@ enum class StepStage : std::uint8_t {
   gravity,
   attractor,
   nbody,
+  buoyancy,
+  field,
   springs,
   contact_solver,
   joint_solver,
   motion  ///< positions from velocities, and what is kept at every tick
 };
-inline constexpr std::size_t stage_count = 12;
+inline constexpr std::size_t stage_count = 14;
 
 /// CPU time by stage, s, summed over all ticks so far.
 struct StageTimes {

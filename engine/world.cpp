@@ -36,7 +36,9 @@ World::World(const Scene& scene)
       attractors_(scene.attractors),
       gravitational_constant_(scene.gravitational_constant.value_or(0)),
       listed_effects_(scene.effects),
-      census_(scene) {
+      census_(scene),
+      water_(scene.water),
+      fields_(scene.fields) {
   bodies_.emplace_back().name = "world";
   motions_.emplace_back();
   for (const BodyDef& def : scene.bodies) add_body(def);
@@ -129,7 +131,7 @@ void World::prepare_solvers() {
     timed(StepStage::contact_solver, [this] {
       const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
       contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
-                              on(Effect::friction));
+                              {on(Effect::friction), on(Effect::rolling_resistance), on(Effect::surface_speed)});
     });
   }
   if (on(Effect::joints)) {
@@ -144,21 +146,33 @@ void World::substep(real h) {
   const bool verlet = method_.integrator != Integrator::symplectic_euler;
   const real share = verlet ? real(0.5) : real(1);
   if (on(Effect::restitution)) timed(StepStage::restitution, [&] { bounce(h); });
+  if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
   if (verlet) slow_down(share * h);
+  if (verlet) wade(share * h);
   if (verlet) thrust(share * h);
+  if (on(Effect::field))
+    timed(StepStage::field, [&] { fields_.kick_at_begin(bodies_, motions_, field_time(), share * h); });
   kick(share * h);
   solve(h, share);
   timed(StepStage::motion, [&] { drift_all(h); });
+  if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
+  if (on(Effect::field)) timed(StepStage::field, [&] { book_fields(h, share); });
   if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(joints_, bodies_, motions_); });
   if (verlet) kick(share * h);
+  if (on(Effect::field) && verlet) timed(StepStage::field, [&] { finish_fields(h); });
   if (verlet) contact_solver_.add_share(motions_, share);
   thrust(share * h);
+  wade(share * h);
   slow_down(share * h);
   relax(h);
 }
 
 void World::slow_down(real h) {
   if (on(Effect::drag)) timed(StepStage::drag, [&] { drag_all(h); });
+}
+
+void World::wade(real h) {
+  if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { wade_all(h); });
 }
 
 void World::thrust(real h) {
@@ -175,6 +189,7 @@ void World::kick(real h) {
   if (on(Effect::nbody)) {
     timed(StepStage::nbody, [&] { kick_towards_each_other(gravitational_constant_, bodies_, motions_, h); });
   }
+  if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { float_all(motions_, h); });
   if (on(Effect::springs)) timed(StepStage::springs, [&] { kick_springs(h); });
 }
 
@@ -221,6 +236,7 @@ void World::book_work() {
     if (bodies_[pusher].type != BodyType::kinematic) return;
     booked_work_ += static_cast<double>(dot(impulse, motions_[pusher].velocity_at(arm)));
   };
+  book_surfaces();
   if (on(Effect::contacts)) {
     for (const ContactConstraint& c : contact_solver_.constraints()) {
       for (int k = 0; k < c.count; ++k) {

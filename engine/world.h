@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "engine/broad_phase.h"
+#include "engine/buoyancy.h"
 #include "engine/contact.h"
 #include "engine/contact_solver.h"
 #include "engine/effects.h"
+#include "engine/field.h"
 #include "engine/free_motion.h"
 #include "engine/joint.h"
 #include "engine/joint_solver.h"
@@ -64,6 +66,7 @@ class World final : public Simulation {
   void advance(real h);
   void substep(real h);
   void slow_down(real h);
+  void wade(real h);
   void thrust(real h);
   void kick(real h);
   void solve(real h, real share);
@@ -89,8 +92,21 @@ class World final : public Simulation {
 
   // Smooth scenes (world_smooth.cpp).
   void advance_smoothly(real h);
-  void add_accelerations(Slopes& slopes);
+  void add_accelerations(real after, Slopes& slopes);
+  void add_fields(double time, Slopes& slopes) const;
+  void add_water(Slopes& slopes) const;
   void pull_springs();
+
+  // Water, force fields, moving and resisting surfaces (world_effects.cpp).
+  void look_at_water();
+  void float_all(std::vector<Motion>& motions, real h) const;
+  void wade_all(real h);
+  void book_fields(real h, real share);
+  void finish_fields(real h);
+  /// The time the fields are asked about, s: that of the next or the last drift.
+  double field_time() const;
+  void book_surfaces();
+  double potential_of_water() const;
 
   // Commands (world_commands.cpp).
   void execute(const CreateBody& command);
@@ -165,10 +181,14 @@ class World final : public Simulation {
   ContactSolver contact_solver_;
   JointSolver joint_solver_;
   SmoothIntegrator smooth_integrator_;
-  std::vector<Motion> pulled_;  ///< scratch: places of now, velocities that forces would give in a second
-  bool diverged_ = false;       ///< an implicit integrator found no solution
+  std::vector<Motion> pulled_;                ///< scratch: places of now, velocities that forces would give in a second
+  bool diverged_ = false;                     ///< an implicit integrator found no solution
   std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies with a revolute joint: they may overlap at the hinge
   std::vector<ContactEvent> events_;
+  std::optional<WaterDef> water_;
+  std::vector<Wetted> wetted_;  ///< by body, since the bodies were last moved
+  FieldForces fields_;
+  std::int64_t drifts_ = 0;  ///< substeps so far, counted where their fields are asked
   double booked_work_ = 0;
   std::int64_t tick_ = 0;
   std::optional<Failure> failure_;

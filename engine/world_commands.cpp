@@ -72,6 +72,8 @@ void World::reshape(BodyIndex index, Vec2d origin) {
     shape.friction_at_rest = static_cast<real>(shape_def.friction.at_rest);
     shape.friction_sliding = static_cast<real>(shape_def.friction.sliding);
     shape.restitution = static_cast<real>(shape_def.restitution);
+    shape.rolling_resistance = static_cast<real>(shape_def.rolling_resistance);
+    shape.surface_speed = static_cast<real>(shape_def.surface_speed);
     shape.reach = reach(shape.hull);
     if (has_broad_phase_) broad_phase_.add(body.shapes[i], shape, bounds(shape.hull, center_pose(index)));
   }
@@ -146,6 +148,8 @@ void World::execute(const ChangeBody& change) {
   for (ShapeDef& shape : body.defs) {
     if (change.friction) shape.friction = *change.friction;
     if (change.restitution) shape.restitution = *change.restitution;
+    if (change.rolling_resistance) shape.rolling_resistance = *change.rolling_resistance;
+    if (change.surface_speed) shape.surface_speed = *change.surface_speed;
     if (change.density) shape.density = *change.density;
   }
   if (change.mass) body.given_mass = change.mass;
@@ -158,8 +162,9 @@ void World::execute(const ChangeBody& change) {
   if (change.drag) body.drag = change.drag;
   if (change.color) body.color = change.color;
   const bool same_body = !change.type && !change.position && !change.angle && !change.shapes && !change.friction &&
-                         !change.restitution && !change.density && !change.mass && !change.inertia &&
-                         !change.fixed_rotation && !change.sensor && !change.filter;
+                         !change.restitution && !change.rolling_resistance && !change.surface_speed &&
+                         !change.density && !change.mass && !change.inertia && !change.fixed_rotation &&
+                         !change.sensor && !change.filter;
   if (change.shapes || change.type || change.sensor || change.filter) drop_contacts_of(index);
   if (!same_body) reshape(index, origin);
   if (change.velocity) motion.velocity = Vec2(*change.velocity);
@@ -168,8 +173,8 @@ void World::execute(const ChangeBody& change) {
     motion.velocity = {};
     motion.spin = 0;
   }
-  if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.sensor && !change.filter &&
-      !change.drag && !change.gravity_scale)
+  if (!change.type && !change.shapes && !change.friction && !change.restitution && !change.rolling_resistance &&
+      !change.surface_speed && !change.sensor && !change.filter && !change.drag && !change.gravity_scale)
     return;
   structure_changed_ = true;
   BodyDef def;

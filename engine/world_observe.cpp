@@ -102,6 +102,7 @@ void World::observe(Snapshot& snapshot) const {
   snapshot.tick = tick_;
   snapshot.time = static_cast<double>(tick_) / rate_;
   snapshot.energy = energy();
+  if (on(Effect::buoyancy) && water_) snapshot.water_level = water_->level;
   observe_bodies(snapshot);
   snapshot.contacts = contacts();
   for (std::uint32_t i = 0; i < joints_.size(); ++i) {
@@ -131,6 +132,7 @@ double World::potential_energy() const {
   if (on(Effect::attractor)) {
     for (const AttractorDef& attractor : attractors_) potential += potential_of(attractor, bodies_, motions_);
   }
+  if (on(Effect::buoyancy)) potential += potential_of_water();
   if (on(Effect::nbody)) potential += mutual_potential(gravitational_constant_, bodies_, motions_);
   return potential;
 }

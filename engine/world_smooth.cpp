@@ -54,8 +54,10 @@ void World::advance(real h) {
 
 void World::advance_smoothly(real h) {
   timed(StepStage::motion, [&] {
-    const auto accelerate = [this](real, Slopes& slopes) { add_accelerations(slopes); };
+    const auto accelerate = [this](real after, Slopes& slopes) { add_accelerations(after, slopes); };
     if (!smooth_integrator_.step(method_.integrator, h, motions_, accelerate)) diverged_ = true;
+    booked_work_ += smooth_integrator_.work();
+    ++drifts_;
   });
   for (Joint& joint : joints_) {
     if (is_spring(joint)) joint.impulse += h * pull_of(joint, bodies_, motions_).force;
@@ -63,7 +65,7 @@ void World::advance_smoothly(real h) {
 }
 
 /// Forces are written as what they do to velocities in some time: in one second, from rest, that is the acceleration.
-void World::add_accelerations(Slopes& slopes) {
+void World::add_accelerations(real after, Slopes& slopes) {
   pulled_ = motions_;
   for (Motion& m : pulled_) {
     m.velocity = {};
@@ -76,11 +78,32 @@ void World::add_accelerations(Slopes& slopes) {
   }
   if (on(Effect::nbody)) kick_towards_each_other(gravitational_constant_, bodies_, pulled_, 1);
   if (on(Effect::springs)) pull_springs();
+  if (on(Effect::buoyancy)) {
+    look_at_water();
+    float_all(pulled_, 1);
+  }
   for (BodyIndex i = 0; i < slopes.size(); ++i) {
     slopes[i].acceleration = pulled_[i].velocity;
     slopes[i].angular_acceleration = pulled_[i].spin;
   }
   for (BodyIndex i = 0; i < drags_.size(); ++i) add_drag(motions_[i], drags_[i], wind_in_force(), slopes[i]);
+  if (on(Effect::buoyancy)) add_water(slopes);
+  if (on(Effect::field)) add_fields(field_time() + static_cast<double>(after), slopes);
+}
+
+void World::add_water(Slopes& slopes) const {
+  if (!water_) return;
+  for (BodyIndex i = 1; i < slopes.size(); ++i) add_resistance(motions_[i], *water_, wetted_[i], slopes[i]);
+}
+
+void World::add_fields(double time, Slopes& slopes) const {
+  for (BodyIndex i = 1; i < slopes.size(); ++i) {
+    if (bodies_[i].type != BodyType::dynamic) continue;
+    const Vec2d velocity(motions_[i].velocity);
+    const Vec2d force = fields_.force_on(bodies_[i], motions_[i], velocity, time);
+    slopes[i].acceleration += motions_[i].inv_mass * Vec2(force);
+    slopes[i].power = static_cast<real>(dot(force, velocity));
+  }
 }
 
 void World::pull_springs() {

@@ -58,7 +58,8 @@ void World::update_manifolds() {
 
 void World::bounce(real h) {
   const real resting_speed = h * length(effective_gravity());
-  resolve_impacts(contact_solver_.constraints(), accelerations_, motions_, h, resting_speed, on(Effect::friction));
+  resolve_impacts(contact_solver_.constraints(), accelerations_, motions_, h, resting_speed, on(Effect::friction),
+                  contact_solver_.surface_speeds());
 }
 
 void World::fly_all() {

@@ -14,6 +14,7 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
   };
   canvas.clear(stage.palette.background);
   if (shows(Layer::grid)) draw_grid(stage);
+  draw_water(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, true);
   if (shows(Layer::trails)) draw_trails(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, false);

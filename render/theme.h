@@ -26,6 +26,8 @@ struct Palette {
   Color plate_edge;
   Color grid;
   Color grid_axis;
+  Color water;       ///< see-through, over the background and the grid
+  Color water_line;  ///< its surface
   Tone dynamic;
   Tone kinematic;
   Tone fixed;

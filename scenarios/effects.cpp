@@ -26,7 +26,9 @@ std::optional<Effect> effect_named(std::string_view name) {
 EffectSet called_for_by(const BodyDef& body) {
   EffectSet set;
   for (const ShapeDef& shape : body.shapes) {
+    if (shape.rolling_resistance > 0) set.add(Effect::rolling_resistance);
     if (shape.restitution > 0) set.add(Effect::restitution);
+    if (shape.surface_speed != 0) set.add(Effect::surface_speed);
   }
   if (body.drag && body.drag->acts()) set.add(Effect::drag);
   if (body.bullet) set.add(Effect::ccd);

@@ -13,7 +13,7 @@ namespace proofreel {
 /// The effect of that name, or nothing.
 std::optional<Effect> effect_named(std::string_view name);
 
-/// What this body calls for by its own numbers: restitution, ccd, sensors.
+/// What this body calls for by its own numbers: what its surfaces do, drag, ccd, sensors.
 EffectSet called_for_by(const BodyDef& body);
 /// What this joint calls for.
 EffectSet called_for_by(const JointDef& joint);

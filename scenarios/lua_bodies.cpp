@@ -11,30 +11,14 @@ namespace {
 
 constexpr std::size_t most_bodies = 200'000;
 
-constexpr Name body_keys[] = {{"name"},
-                              {"type"},
-                              {"at"},
-                              {"angle"},
-                              {"velocity"},
-                              {"spin"},
-                              {"shape"},
-                              {"shapes"},
-                              {"density"},
-                              {"mass"},
-                              {"inertia"},
-                              {"friction"},
-                              {"restitution"},
-                              {"gravity_scale"},
-                              {"fixed_rotation"},
-                              {"bullet"},
-                              {"sensor"},
-                              {"group"},
-                              {"category"},
-                              {"mask"},
-                              {"color"},
-                              {"drag"},
-                              {"surface_speed", false},
-                              {"rolling_resistance", false}};
+constexpr Name body_keys[] = {{"name"},        {"type"},          {"at"},
+                              {"angle"},       {"velocity"},      {"spin"},
+                              {"shape"},       {"shapes"},        {"density"},
+                              {"mass"},        {"inertia"},       {"friction"},
+                              {"restitution"}, {"gravity_scale"}, {"fixed_rotation"},
+                              {"bullet"},      {"sensor"},        {"group"},
+                              {"category"},    {"mask"},          {"color"},
+                              {"drag"},        {"surface_speed"}, {"rolling_resistance"}};
 
 constexpr Name type_names[] = {{"static"}, {"kinematic"}, {"dynamic"}};
 constexpr BodyType types[] = {BodyType::fixed, BodyType::kinematic, BodyType::dynamic};
@@ -121,6 +105,8 @@ void read_matter(const Fields& fields, ChangeBody& change) {
   change.density = fields.number("density", Range::positive);
   change.friction = read_friction(fields);
   change.restitution = read_restitution(fields);
+  change.rolling_resistance = fields.number("rolling_resistance", Range::not_negative);
+  change.surface_speed = fields.number("surface_speed");
   change.bullet = fields.boolean("bullet");
   change.sensor = fields.boolean("sensor");
   change.drag = read_drag(fields);
@@ -182,6 +168,8 @@ BodyRecord shorthand(const Fields& fields, const char* name, ShapeValue shape) {
   record.def.color = read_color(fields);
   put(record.material.friction, read_friction(fields));
   put(record.material.restitution, read_restitution(fields));
+  put(record.material.rolling_resistance, fields.number("rolling_resistance", Range::not_negative));
+  put(record.material.surface_speed, fields.number("surface_speed"));
   record.def.shapes = shape.on_body(record.material);
   return record;
 }
@@ -197,7 +185,8 @@ int finish_shorthand(lua_State* state, const BodyRecord& record, const char* wor
 
 /// A slab wide and deep enough to fill every picture; its upper side is at y.
 int ground(lua_State* state) {
-  static constexpr Name keys[] = {{"y"}, {"name"}, {"friction"}, {"restitution"}, {"color"}};
+  static constexpr Name keys[] = {
+      {"y"}, {"name"}, {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}, {"color"}};
   constexpr double half_width = 1000;
   constexpr double depth = 100;
   const Fields fields(state, 1, "ground", keys);
@@ -210,7 +199,8 @@ int ground(lua_State* state) {
 }
 
 int wall(lua_State* state) {
-  static constexpr Name keys[] = {{"a"}, {"b"}, {"name"}, {"friction"}, {"restitution"}, {"color"}};
+  static constexpr Name keys[] = {
+      {"a"}, {"b"}, {"name"}, {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}, {"color"}};
   const Fields fields(state, 1, "wall", keys);
   ShapeValue line;
   line.parts = {{fields.required("a", fields.vector("a")), fields.required("b", fields.vector("b"))}};
@@ -255,10 +245,14 @@ void apply_keys(BodyRecord& record, const BodyKeys& keys) {
   put(record.material.density, change.density);
   put(record.material.friction, change.friction);
   put(record.material.restitution, change.restitution);
+  put(record.material.rolling_resistance, change.rolling_resistance);
+  put(record.material.surface_speed, change.surface_speed);
   for (ShapeDef& shape : def.shapes) {
     put(shape.density, change.density);
     put(shape.friction, change.friction);
     put(shape.restitution, change.restitution);
+    put(shape.rolling_resistance, change.rolling_resistance);
+    put(shape.surface_speed, change.surface_speed);
   }
   if (!keys.shapes) return;
   check_shapes(record, *keys.shapes);

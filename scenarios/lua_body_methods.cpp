@@ -58,6 +58,8 @@ Command change_command(BodyId body, const BodyKeys& keys, const BodyDef& def) {
   change.density.reset();
   change.friction.reset();
   change.restitution.reset();
+  change.rolling_resistance.reset();
+  change.surface_speed.reset();
   return command;
 }
 

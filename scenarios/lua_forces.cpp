@@ -1,6 +1,10 @@
 #include "scenarios/lua_forces.h"
 
+#include <cmath>
+#include <utility>
+
 #include "engine/mass.h"
+#include "engine/polygon.h"
 #include "scenarios/lua_model.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/lua_words.h"
@@ -73,6 +77,42 @@ int nbody(lua_State* state) {
   return 0;
 }
 
+/// Its level is a height, so there must be no doubt what is up.
+void check_gravity_for_water(const Model& model) {
+  if (!model.described) throw Problem("buoyancy needs the scene's gravity: call scenario{...} first");
+  const Vec2d gravity = model.scenario.scene.gravity;
+  if (gravity.x == 0 && gravity.y <= 0) return;
+  throw Problem(
+      "buoyancy has a level, which is a height, so gravity must point straight down: write gravity={0, -g}, or leave "
+      "the water out");
+}
+
+int buoyancy(lua_State* state) {
+  static constexpr Name keys[] = {{"level"}, {"density"}, {"drag"}};
+  const Fields fields(state, 1, "buoyancy", keys);
+  WaterDef water;
+  water.level = fields.required("level", fields.number("level"));
+  water.density = fields.required("density", fields.number("density", Range::positive));
+  water.drag = fields.number("drag", Range::not_negative).value_or(0);
+  for (const auto& [key, value] : {std::pair{"level", water.level}, {"density", water.density}, {"drag", water.drag}}) {
+    if (std::abs(value) > max_coordinate) fields.refuse(key, "must not exceed 1e9");
+  }
+  Scene& scene = scene_to_build(state, fields);
+  check_gravity_for_water(model_of(state));
+  if (scene.water) throw Problem("buoyancy was given already: a scene has one water, with one level");
+  scene.water = water;
+  return 0;
+}
+
+int field(lua_State* state) {
+  Model& model = model_of(state);
+  model.must_load("field");
+  charge_for_making(state);
+  if (model.fields.size() >= most_forces) throw Problem("a scene holds at most 1000 fields");
+  model.fields.push_back(keep_function(state, 1, "field(fn): fn"));
+  return 0;
+}
+
 std::string kilograms(lua_State* state, double mass) {
   lua_pushnumber(state, mass);
   const std::string text = shown(state, -1) + " kg";
@@ -131,6 +171,8 @@ void open_forces(lua_State* state) {
   set_word<wind>(state, "wind");
   set_word<attractor>(state, "attractor");
   set_word<nbody>(state, "nbody");
+  set_word<buoyancy>(state, "buoyancy");
+  set_word<field>(state, "field");
   set_word<rocket>(state, "rocket");
   lua_pop(state, 1);
 }

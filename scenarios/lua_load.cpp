@@ -70,6 +70,7 @@ void LuaScript::finish_loading() {
   link_references();
   check_expectations();
   scenario.scene = model_.scene_so_far();
+  for (const int function : model_.fields) scenario.scene.fields.push_back(force_field(function));
   model_.check_method();
   if (scenario.title.empty()) scenario.title = scenario.id;
   if (!scenario.scene.effects) return;

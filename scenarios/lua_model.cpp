@@ -56,7 +56,8 @@ Scene Model::scene_so_far() const {
 
 void Model::must_act(const std::string& what) const {
   if (phase != Phase::looking) return;
-  throw Problem(what + " acts on the scene; functions of measure, reference, expect and plot may only look at it");
+  throw Problem(what +
+                " acts on the scene; functions of measure, reference, expect, plot and field may only look at it");
 }
 
 void Model::must_load(const std::string& what) const {

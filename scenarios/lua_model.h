@@ -27,6 +27,8 @@ struct Material {
   double density = 1;
   FrictionDef friction;
   double restitution = 0;
+  double rolling_resistance = 0;
+  double surface_speed = 0;
 };
 
 struct BodyRecord {
@@ -77,6 +79,7 @@ struct Model {
   std::map<std::pair<std::int64_t, std::size_t>, Timer> timers;
   std::size_t timers_made = 0;
   std::vector<ContactHandler> contact_handlers;
+  std::vector<int> fields;        ///< functions of Scene::fields
   std::vector<int> measures;      ///< functions of Scenario::measures
   std::vector<int> expectations;  ///< functions of Scenario::expectations
   std::vector<Reference> references;

@@ -147,6 +147,28 @@ double LuaScript::number_from(int function, const std::function<std::string()>& 
   return number;
 }
 
+ForceField LuaScript::force_field(int function) {
+  return [this, function](Vec2d at, Vec2d velocity, double time) { return force_from(function, at, velocity, time); };
+}
+
+Vec2d LuaScript::force_from(int function, Vec2d at, Vec2d velocity, double time) {
+  Vec2d force;
+  const auto what = [] { return std::string("a force field"); };
+  turn(Phase::looking, what, [&](lua_State* state) {
+    push_function(state, function);
+    for (const double number : {at.x, at.y, velocity.x, velocity.y, time}) lua_pushnumber(state, number);
+    lua_call(state, 5, 2);
+    for (const int index : {-1, -2}) {
+      const bool is_number = lua_type(state, index) == LUA_TNUMBER;
+      if (is_number && std::isfinite(lua_tonumber(state, index))) continue;
+      throw Problem(place_of(state, function) + "a field must return two finite numbers, fx and fy, got " +
+                    described(state, -2) + " and " + described(state, -1));
+    }
+    force = {lua_tonumber(state, -2), lua_tonumber(state, -1)};
+  });
+  return force;
+}
+
 double LuaScript::measure(int index) {
   const auto i = static_cast<std::size_t>(index);
   return number_from(

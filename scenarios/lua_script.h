@@ -33,6 +33,9 @@ class LuaScript : public Script {
   void turn(Phase phase, const std::function<std::string()>& what, const std::function<void(lua_State*)>& body);
   /// What the function returns, which must be a finite number.
   double number_from(int function, const std::function<std::string()>& what, std::optional<double> argument);
+  /// The field the function tells; asking it is a turn of the script, which may only look.
+  ForceField force_field(int function);
+  Vec2d force_from(int function, Vec2d at, Vec2d velocity, double time);
   void open(lua_State* state);
   void finish_loading();
   void link_references();

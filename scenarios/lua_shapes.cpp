@@ -45,6 +45,8 @@ ShapeValue with_coefficients(const Fields& fields) {
   value.density = fields.number("density", Range::positive);
   value.friction = read_friction(fields);
   value.restitution = read_restitution(fields);
+  value.rolling_resistance = fields.number("rolling_resistance", Range::not_negative);
+  value.surface_speed = fields.number("surface_speed");
   return value;
 }
 
@@ -94,7 +96,8 @@ void round_corners(const Fields& fields, ShapeValue& value) {
 }
 
 int circle(lua_State* state) {
-  static constexpr Name keys[] = {{"radius"}, {"at"}, {"density"}, {"friction"}, {"restitution"}};
+  static constexpr Name keys[] = {
+      {"radius"}, {"at"}, {"density"}, {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}};
   const Fields fields(state, 1, "circle", keys);
   ShapeValue value = with_coefficients(fields);
   const Vec2d center = fields.vector("at", Range::any).value_or(Vec2d{});
@@ -125,8 +128,10 @@ int push_made_polygon(const Fields& fields, ShapeValue value, std::vector<Vec2d>
 }
 
 int box(lua_State* state) {
-  static constexpr Name keys[] = {{"width"},    {"height"},  {"at"},       {"angle"},
-                                  {"rounding"}, {"density"}, {"friction"}, {"restitution"}};
+  static constexpr Name keys[] = {{"width"},        {"height"},      {"at"},
+                                  {"angle"},        {"rounding"},    {"density"},
+                                  {"friction"},     {"restitution"}, {"rolling_resistance"},
+                                  {"surface_speed"}};
   const Fields fields(state, 1, "box", keys);
   ShapeValue value = with_coefficients(fields);
   const double x = length_of(fields, "width", value) / 2;
@@ -156,7 +161,8 @@ std::vector<Vec2d> read_corners(lua_State* state, const char* word) {
   return corners;
 }
 
-constexpr Name corner_keys[] = {{"rounding"}, {"density"}, {"friction"}, {"restitution"}};
+constexpr Name corner_keys[] = {{"rounding"},           {"density"},      {"friction"}, {"restitution"},
+                                {"rolling_resistance"}, {"surface_speed"}};
 
 /// Cuts the outline into convex parts where it has to be.
 void set_parts(lua_State* state, ShapeValue& value, const std::vector<Vec2d>& outline, const std::string& noun) {
@@ -213,7 +219,8 @@ int hull(lua_State* state) {
 
 /// A side lies at the bottom, so that it stands.
 int regular(lua_State* state) {
-  static constexpr Name keys[] = {{"sides"}, {"radius"}, {"rounding"}, {"density"}, {"friction"}, {"restitution"}};
+  static constexpr Name keys[] = {{"sides"},    {"radius"},      {"rounding"},           {"density"},
+                                  {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}};
   const Fields fields(state, 1, "regular", keys);
   ShapeValue value = with_coefficients(fields);
   const double radius = length_of(fields, "radius", value);
@@ -237,7 +244,8 @@ void read_ends(const Fields& fields, ShapeValue& value) {
 }
 
 int capsule(lua_State* state) {
-  static constexpr Name keys[] = {{"a"}, {"b"}, {"radius"}, {"density"}, {"friction"}, {"restitution"}};
+  static constexpr Name keys[] = {
+      {"a"}, {"b"}, {"radius"}, {"density"}, {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}};
   const Fields fields(state, 1, "capsule", keys);
   ShapeValue value = with_coefficients(fields);
   read_ends(fields, value);
@@ -246,7 +254,8 @@ int capsule(lua_State* state) {
 }
 
 int segment(lua_State* state) {
-  static constexpr Name keys[] = {{"a"}, {"b"}, {"density"}, {"friction"}, {"restitution"}};
+  static constexpr Name keys[] = {
+      {"a"}, {"b"}, {"density"}, {"friction"}, {"restitution"}, {"rolling_resistance"}, {"surface_speed"}};
   const Fields fields(state, 1, "segment", keys);
   ShapeValue value = with_coefficients(fields);
   read_ends(fields, value);
@@ -264,6 +273,8 @@ std::vector<ShapeDef> ShapeValue::on_body(const Material& material) const {
     shape.density = density.value_or(material.density);
     shape.friction = friction.value_or(material.friction);
     shape.restitution = restitution.value_or(material.restitution);
+    shape.rolling_resistance = rolling_resistance.value_or(material.rolling_resistance);
+    shape.surface_speed = surface_speed.value_or(material.surface_speed);
   }
   return shapes;
 }

@@ -22,6 +22,8 @@ struct ShapeValue {
   std::optional<double> density;
   std::optional<FrictionDef> friction;
   std::optional<double> restitution;
+  std::optional<double> rolling_resistance;
+  std::optional<double> surface_speed;
   std::string problem;
 
   /// With the coefficients of its own or else of the body.

@@ -15,7 +15,7 @@ void open_tables(lua_State* state);
 void open_pairs(lua_State* state);
 
 void open_scenario(lua_State* state);
-/// Forces of the scene as a whole: drag, wind, attractor, nbody, rocket.
+/// Forces of the scene as a whole: drag, wind, attractor, nbody, buoyancy, field, rocket.
 void open_forces(lua_State* state);
 void open_joints(lua_State* state);
 void open_time(lua_State* state);

@@ -52,7 +52,7 @@ TEST_CASE("What a script adds while it runs is explained too", "[cli]") {
           "at(0.5, function() body{at={0,5}, shape=circle{radius=1}, restitution=0.5} end)");
   const Outcome o = c.run({"explain", "late"});
   REQUIRE(o.status == 0);
-  REQUIRE_THAT(o.out, Contains("restitution   on") && Contains("bodies can meet, and a shape has restitution"));
+  REQUIRE_THAT(o.out, Contains("restitution         on") && Contains("bodies can meet, and a shape has restitution"));
 }
 
 TEST_CASE("A list of effects that overrules the scene is said to", "[cli]") {

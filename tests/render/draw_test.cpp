@@ -179,3 +179,25 @@ TEST_CASE("Curves of a plot survive values that are not finite and times without
   frame.plots[1].values = {{}, {}};
   CHECK_NOTHROW(drawn(frame, {Theme::light, all_layers()}));
 }
+
+TEST_CASE("Water is drawn from its level down, behind the bodies, in every theme") {
+  const Theme theme = GENERATE(Theme::light, Theme::dark, Theme::print);
+  Frame frame = lone_body({{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}, 0);
+  const Image dry = drawn(frame, {theme, all_layers()});
+  frame.snapshot.water_level = 1;
+  const Image wet = drawn(frame, {theme, all_layers()});
+  CHECK(pixel(wet, 40, 20) == pixel(dry, 40, 20));          // 1.7 m up: air
+  CHECK_FALSE(pixel(wet, 40, 200) == pixel(dry, 40, 200));  // 1 m down
+  CHECK(pixel(wet, 240, 135) == pixel(dry, 240, 135));      // the body in the middle
+}
+
+TEST_CASE("Water above or below the picture fills it or leaves it alone") {
+  Frame frame = lone_body({{{0, 0}}}, 0.1);
+  const Image dry = drawn(frame, {Theme::light, {}});
+  frame.snapshot.water_level = -100;
+  CHECK(drawn(frame, {Theme::light, {}}).rgba == dry.rgba);
+  frame.snapshot.water_level = 100;
+  const Image flooded = drawn(frame, {Theme::light, {}});
+  CHECK_FALSE(pixel(flooded, 0, 0) == pixel(dry, 0, 0));
+  CHECK(pixel(flooded, 0, 0) == pixel(flooded, 479, 269));
+}

@@ -19,14 +19,11 @@ void check_unbuilt(const std::string& line, const std::string& name) {
 
 TEST_CASE("Words that are not built are refused by name") {
   const std::string word = GENERATE("rope", "prismatic", "weld", "wheel", "gear", "pulley", "drag_to", "motor",
-                                    "buoyancy", "field", "on_break", "on_sleep", "ghost", "freeze", "section");
+                                    "on_break", "on_sleep", "ghost", "freeze", "section");
   check_unbuilt(word + "{b}", word);
 }
 
 TEST_CASE("Keys that are not built are refused by name") {
-  check_unbuilt("body{shape=circle{radius=1}, rolling_resistance=1}", "rolling_resistance");
-  check_unbuilt("body{shape=circle{radius=1}, surface_speed=1}", "surface_speed");
-  check_unbuilt("b:set{surface_speed=1}", "surface_speed");
   check_unbuilt("revolute{world, b, at={0,0}, limits={-1, 1}}", "limits");
   check_unbuilt("revolute{world, b, at={0,0}, motor={speed=1}}", "motor");
   check_unbuilt("revolute{world, b, at={0,0}, break_force=1}", "break_force");
@@ -44,7 +41,6 @@ TEST_CASE("Ways of solving and effects that are not built are refused by name") 
       {"method={contact_solver='exact'}", "exact"},
       {"method={contact_solver='event'}", "event"},
       {"method={joint_solver='iterative'}", "iterative"},
-      {"effects={'gravity', 'buoyancy'}", "buoyancy"},
       {"effects={'sleeping'}", "sleeping"},
       {"effects={'motors'}", "motors"},
   }));
