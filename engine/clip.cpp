@@ -1,16 +1,7 @@
 #include "engine/clip.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
-
-real deepest(const Manifold& m) {
-  real least = std::numeric_limits<real>::max();
-  for (int i = 0; i < m.count; ++i) least = std::min(least, m.points[i].separation);
-  return least;
-}
 
 int incident_edge(const Hull& hull, Vec2 normal) {
   int deepest = 0;

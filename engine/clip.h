@@ -9,6 +9,7 @@
 /// Everything given to one call is in one frame; which one does not matter.
 
 #include <cstdint>
+#include <limits>
 
 #include "engine/observer.h"
 #include "engine/shape.h"
@@ -30,8 +31,14 @@ struct Manifold {
   int count = 0;
 };
 
-/// The least separation of all points; the largest number there is for a manifold without points.
-real deepest(const Manifold& m);
+/// The least separation of all points; the largest number there is for a manifold without points. No loop: whether
+/// there are one or two is anybody's guess.
+inline real deepest(const Manifold& m) {
+  constexpr real none = std::numeric_limits<real>::max();
+  const real first = m.count > 0 ? m.points[0].separation : none;
+  const real second = m.count > 1 ? m.points[1].separation : none;
+  return second < first ? second : first;
+}
 
 /// The manifold as seen from the other shape: the normal turns round, the points stay.
 inline void flip(Manifold& m) { m.normal = -m.normal; }

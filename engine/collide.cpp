@@ -1,119 +1,14 @@
 #include "engine/collide.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
-#include <type_traits>
+
+#include "engine/collide_gjk.h"
+#include "engine/corners.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
-
-/// Four floats or two doubles at once. This is how GCC and Clang spell it on every processor, WebAssembly included:
-/// each lane computes what a plain number would, so the bits are those of the loop over single numbers.
-using Lanes [[gnu::vector_size(16)]] = real;
-constexpr int lanes = sizeof(Lanes) / sizeof(real);
-
-/// Whole numbers as wide, which is what a comparison of lanes gives: all bits set where it holds.
-using Mark = std::conditional_t<sizeof(real) == 4, std::int32_t, std::int64_t>;
-using Marks [[gnu::vector_size(16)]] = Mark;
-
-/// One number per corner of a hull, in whole lanes.
-struct Row {
-  alignas(Lanes) real of[max_polygon_vertices];
-
-  Lanes at(int i) const {
-    Lanes values;
-    std::memcpy(&values, of + i, sizeof(Lanes));
-    return values;
-  }
-  void set(int i, Lanes values) { std::memcpy(of + i, &values, sizeof(Lanes)); }
-};
-
-/// A hull in A's frame, coordinate by coordinate. Places behind the last corner repeat corner 0, as in Hull, which
-/// changes no minimum and no maximum. So loops may run over `size` places, a round number known to the compiler, and
-/// need no branch that depends on how many corners there are. Not initialised, because most of it is never used.
-struct Corners {
-  Row x, y;
-  Row normal_x, normal_y;
-  int count;
-  real radius;
-
-  Vec2 point(int i) const { return {x.of[i], y.of[i]}; }
-  Vec2 normal(int i) const { return {normal_x.of[i], normal_y.of[i]}; }
-  int next(int i) const { return i + 1 < count ? i + 1 : 0; }
-  int before(int i) const { return i > 0 ? i - 1 : count - 1; }
-  Face face(int i) const { return {point(i), point(next(i)), normal(i)}; }
-};
-
-/// Lanes of points, coordinate by coordinate.
-struct Points {
-  Lanes x, y;
-};
-
-Points points_at(const Vec2* from) {
-  Points p;
-  for (int lane = 0; lane < lanes; ++lane) {
-    p.x[lane] = from[lane].x;
-    p.y[lane] = from[lane].y;
-  }
-  return p;
-}
-
-Points rotated(Rot q, Points p) { return {q.c * p.x - q.s * p.y, q.s * p.x + q.c * p.y}; }
-
-template <int size>
-void load(const Hull& hull, Corners& out) {
-  out.count = hull.count;
-  out.radius = hull.radius;
-  for (int i = 0; i < size; i += lanes) {
-    const Points p = points_at(hull.points + i);
-    const Points n = points_at(hull.normals + i);
-    out.x.set(i, p.x);
-    out.y.set(i, p.y);
-    out.normal_x.set(i, n.x);
-    out.normal_y.set(i, n.y);
-  }
-}
-
-/// Without its normals, which a hull that is apart does not need.
-template <int size>
-void load(const Hull& hull, const Pose& pose, Corners& out) {
-  out.count = hull.count;
-  out.radius = hull.radius;
-  for (int i = 0; i < size; i += lanes) {
-    const Points p = rotated(pose.rotation, points_at(hull.points + i));
-    out.x.set(i, pose.position.x + p.x);
-    out.y.set(i, pose.position.y + p.y);
-  }
-}
-
-template <int size>
-void load_normals(const Hull& hull, Rot rotation, Corners& out) {
-  for (int i = 0; i < size; i += lanes) {
-    const Points n = rotated(rotation, points_at(hull.normals + i));
-    out.normal_x.set(i, n.x);
-    out.normal_y.set(i, n.y);
-  }
-}
-
-/// The first place of the largest number, which is put into `all`. Guesses about which one that is would be wrong half
-/// of the time, and cost more than looking at all of them.
-template <int size>
-[[gnu::always_inline]] inline int place_of_largest(const Row& row, real& all) {
-  Lanes largest = row.at(0);
-  for (int i = lanes; i < size; i += lanes) largest = row.at(i) > largest ? row.at(i) : largest;
-  all = largest[0];
-  for (int lane = 1; lane < lanes; ++lane) all = largest[lane] > all ? largest[lane] : all;
-  Marks mark{};
-  for (int lane = 0; lane < lanes; ++lane) mark[lane] = Mark{1} << lane;
-  Marks found = (row.at(0) >= all) & mark;
-  for (int i = lanes; i < size; i += lanes) found |= (row.at(i) >= all) & (mark << i);
-  unsigned any = 1U << (size - 1);
-  for (int lane = 0; lane < lanes; ++lane) any |= static_cast<unsigned>(found[lane]);
-  return std::countr_zero(any);
-}
 
 struct FaceQuery {
   int face = 0;
@@ -177,46 +72,50 @@ template <int faces, int corners, typename Observer>
   return best;
 }
 
-Manifold disc_on_face(const Corners& hull, int face, const Corners& disc, real margin) {
-  const Vec2 c = disc.point(0);
-  const Vec2 n = hull.normal(face);
-  const real separation = dot(n, c - hull.point(face));
-  return single_point(c - separation * n, c, n, hull.radius, disc.radius, separation, margin,
-                      static_cast<std::uint32_t>(face) | 0x100U);
+/// A place on an outline: face `index`, or the corner it begins with.
+struct Place {
+  int index = 0;
+  bool corner = false;
+};
+
+/// What of the hull a point outside is nearest to, going on from a face that is almost so: of faces that are almost
+/// parallel, rounding may take one for the farthest although the point is beside another.
+Place nearest_place(const Corners& hull, int face, Vec2 p) {
+  for (int steps = 0; steps < hull.count; ++steps) {
+    const Face f = hull.face(face);
+    if (dot(p - f.from, f.to - f.from) <= 0) {
+      const int before = hull.before(face);
+      if (dot(p - f.from, hull.point(before) - f.from) <= 0) return {face, true};
+      face = before;
+    } else if (dot(p - f.to, f.from - f.to) <= 0) {
+      face = hull.next(face);
+      if (dot(p - f.to, hull.point(hull.next(face)) - f.to) <= 0) return {face, true};
+    } else {
+      break;
+    }
+  }
+  return {face, false};
 }
 
-/// Whether p lies between the two ends of a face.
-bool is_beside(const Corners& hull, int face, Vec2 p) {
-  const Face f = hull.face(face);
-  return dot(p - f.from, f.to - f.from) > 0 && dot(p - f.to, f.from - f.to) > 0;
-}
-
-/// A disc's centre against a hull; the manifold's normal points from the hull to the disc. Of two almost parallel faces
-/// rounding may have taken the wrong one: a corner is touched only where the centre is beside neither face.
+/// A disc's centre against a hull; the manifold's normal points from the hull to the disc.
 template <int size, typename Observer>
 Manifold collide_hull_disc(const Corners& hull, const Corners& disc, real margin, bool hull_is_a, Observer observer) {
   const Vec2 c = disc.point(0);
   const FaceQuery q = farthest_face<size, 1>(hull, disc, hull_is_a, observer);
   if (q.separation - hull.radius - disc.radius > margin) return {};
-  const int i = q.face;
   if constexpr (Observer::watches)
     observer([&] {
       const real separation = q.separation - hull.radius - disc.radius;
-      return AxisChosen{Vec2d(hull.normal(i)), hull_is_a, static_cast<double>(separation)};
+      return AxisChosen{Vec2d(hull.normal(q.face)), hull_is_a, static_cast<double>(separation)};
     });
-  const auto [v1, v2, n] = hull.face(i);
   const bool inside = q.separation <= 0 && hull.count > 2;
-  const auto feature = static_cast<std::uint32_t>(i);
-  const auto next_feature = static_cast<std::uint32_t>(hull.next(i));
-  if (!inside && dot(c - v1, v2 - v1) <= 0) {
-    if (const int before = hull.before(i); is_beside(hull, before, c)) return disc_on_face(hull, before, disc, margin);
-    return collide_points(v1, c, hull.radius, disc.radius, n, margin, feature);
-  }
-  if (!inside && dot(c - v2, v1 - v2) <= 0) {
-    if (const int next = hull.next(i); is_beside(hull, next, c)) return disc_on_face(hull, next, disc, margin);
-    return collide_points(v2, c, hull.radius, disc.radius, n, margin, next_feature);
-  }
-  return single_point(c - q.separation * n, c, n, hull.radius, disc.radius, q.separation, margin, feature | 0x100U);
+  const Place place = inside ? Place{q.face} : nearest_place(hull, q.face, c);
+  const Vec2 n = hull.normal(place.index);
+  const Vec2 v = hull.point(place.index);
+  const auto feature = static_cast<std::uint32_t>(place.index);
+  if (place.corner) return collide_points(v, c, hull.radius, disc.radius, hull.normal(q.face), margin, feature);
+  const real separation = dot(n, c - v);
+  return single_point(c - separation * n, c, n, hull.radius, disc.radius, separation, margin, feature | 0x100U);
 }
 
 struct ClosestPoints {
@@ -252,14 +151,80 @@ template <int size>
   for (int i = 0; i < size; i += lanes) back.set(i, -(normal.x * hull.x.at(i) + normal.y * hull.y.at(i)));
   real unused;
   const int deepest = place_of_largest<size>(back, unused);
-  const int before = deepest > 0 ? deepest - 1 : hull.count - 1;
+  const int before = hull.before(deepest);
   return dot(normal, hull.normal(before)) < dot(normal, hull.normal(deepest)) ? before : deepest;
 }
 
-/// What two hulls touch in, once it is known on which face: `ref` is the hull that has it, `inc` the other one.
+/// What is asked of two hulls.
+struct Question {
+  const Hull& hull_a;
+  const Hull& hull_b;
+  const Pose& b_in_a;
+  real margin;
+  real tolerance;  ///< separations that differ by less are equally good
+  real largest;    ///< separation along any axis: what the cores are apart at least, or on overlap minus their depth
+};
+
+/// What the separation of two edges may be off by, metres.
+real rounding_of(const Face& a, const Face& b) {
+  real largest = 0;
+  for (const Vec2 p : {a.from, a.to, b.from, b.to}) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return 4 * std::numeric_limits<real>::epsilon() * largest;
+}
+
+/// How far the cores are apart along a unit direction: never more than their distance.
+real gap_along(const Corners& from, const Corners& to, Vec2 direction) {
+  real front = dot(direction, from.point(0));
+  real back = dot(direction, to.point(0));
+  for (int i = 1; i < from.count; ++i) front = std::max(front, dot(direction, from.point(i)));
+  for (int i = 1; i < to.count; ++i) back = std::min(back, dot(direction, to.point(i)));
+  return back - front;
+}
+
+/// One of the two hulls and one of its faces.
+struct HullFace {
+  const Corners& hull;
+  Face face;
+};
+
+/// Corner against corner, apart or almost: clipping found nothing of the incident edge, or only parts that are farther
+/// away. When the two edges prove not to be the nearest, rounding has taken one for another that is almost parallel to
+/// it; then GJK, which does not choose between faces, has the answer.
+Manifold touch_at_corners(const HullFace& ref, const HullFace& inc, bool flipped, const Question& asked, real slack,
+                          std::uint32_t feature, const Manifold& clipped) {
+  const ClosestPoints near = closest_on_segments(ref.face.from, ref.face.to, inc.face.from, inc.face.to);
+  const real core_distance = distance(near.a, near.b);
+  if (core_distance > slack) {
+    const Vec2 way = (real(1) / core_distance) * (near.b - near.a);
+    if (gap_along(ref.hull, inc.hull, way) < core_distance - slack) {
+      Manifold m = collide_gjk(asked.hull_a, Pose{}, asked.hull_b, asked.b_in_a, asked.margin);
+      if (flipped) flip(m);
+      return m;
+    }
+  }
+  if (deepest(clipped) <= core_distance - ref.hull.radius - inc.hull.radius + slack) return clipped;
+  return collide_points(near.a, near.b, ref.hull.radius, inc.hull.radius, ref.face.normal, asked.margin, feature);
+}
+
+/// What the two faces do not give at once.
+[[gnu::noinline]] Manifold touch_beside_faces(const HullFace& ref, const HullFace& inc, real separation, bool flipped,
+                                              const Question& asked, std::uint32_t feature, const Manifold& clipped) {
+  const real slack = std::max(real(0.01) * asked.tolerance, rounding_of(ref.face, inc.face));
+  if (deepest(clipped) <= asked.largest - ref.hull.radius - inc.hull.radius + slack) return clipped;
+  if (separation > -asked.tolerance) return touch_at_corners(ref, inc, flipped, asked, slack, feature, clipped);
+  // Of two faces equally good, the one taken may be the one the deepest corner is just beside.
+  const Vec2 n = ref.face.normal;
+  const Vec2 corner = dot(inc.face.from, n) < dot(inc.face.to, n) ? inc.face.from : inc.face.to;
+  return single_point(corner - separation * n, corner, n, ref.hull.radius, inc.hull.radius, separation, asked.margin,
+                      feature);
+}
+
+/// What two hulls touch in, once it is known on which face: `ref` is the hull that has it, `inc` the other one. A point
+/// as near as the largest separation of all axes is proven to be the nearest; where there is none, more has to be
+/// asked.
 template <int size, typename Observer>
-Manifold touch_on_face(const Corners& ref, int face, real separation, const Corners& inc, bool flipped, real margin,
-                       real tolerance, Observer observer) {
+Manifold touch_on_face(const Corners& ref, int face, real separation, const Corners& inc, bool flipped,
+                       const Question& asked, Observer observer) {
   const Face ref_face = ref.face(face);
   const int inc_index = incident_edge<size>(inc, ref_face.normal);
   const Face inc_face = inc.face(inc_index);
@@ -273,21 +238,9 @@ Manifold touch_on_face(const Corners& ref, int face, real separation, const Corn
     });
   const std::uint32_t feature =
       (flipped ? 1U << 20 : 0U) | static_cast<std::uint32_t>(face) << 12 | static_cast<std::uint32_t>(inc_index) << 4;
-  Manifold m = clip(ref_face, ref.radius, inc_face, inc.radius, margin, feature, observer);
-  if (separation > -tolerance) {
-    // Corner against corner: clipping finds nothing of the incident edge, or only parts that are farther away.
-    const ClosestPoints near = closest_on_segments(ref_face.from, ref_face.to, inc_face.from, inc_face.to);
-    const real core_distance = distance(near.a, near.b);
-    const real radius_a = flipped ? inc.radius : ref.radius;
-    const real radius_b = flipped ? ref.radius : inc.radius;
-    if (deepest(m) > core_distance - radius_a - radius_b + real(0.01) * tolerance) {
-      m = collide_points(near.a, near.b, ref.radius, inc.radius, ref_face.normal, margin, feature | 8U);
-    }
-  } else if (m.count == 0) {
-    // Of two faces equally good, the one taken may be the one the deepest corner is just beside.
-    const Vec2 n = ref_face.normal;
-    const Vec2 corner = dot(inc_face.from, n) < dot(inc_face.to, n) ? inc_face.from : inc_face.to;
-    m = single_point(corner - separation * n, corner, n, ref.radius, inc.radius, separation, margin, feature | 8U);
+  Manifold m = clip(ref_face, ref.radius, inc_face, inc.radius, asked.margin, feature, observer);
+  if (deepest(m) > asked.largest - ref.radius - inc.radius + real(0.01) * asked.tolerance) {
+    m = touch_beside_faces({ref, ref_face}, {inc, inc_face}, separation, flipped, asked, feature | 8U, m);
   }
   if (flipped) flip(m);
   return m;
@@ -307,11 +260,12 @@ Manifold collide_hulls(const Hull& hull_a, const Hull& hull_b, const Pose& b_in_
   const FaceQuery face_b = farthest_face<size_b, size_a>(b, a, false, observer);
   // Two parallel faces in contact are equally good; preferring A's keeps the features from changing every other step.
   const real tolerance = real(1e-4) * std::min(hull_a.detail, hull_b.detail);
-  const bool apart = std::max(face_a.separation, face_b.separation) > tolerance;
-  const bool flipped = face_b.separation > face_a.separation + (apart ? real(0) : tolerance);
+  const real largest = std::max(face_a.separation, face_b.separation);
+  const bool flipped = face_b.separation > face_a.separation + (largest > tolerance ? real(0) : tolerance);
   if ((flipped ? face_b : face_a).separation > limit) return {};
-  if (flipped) return touch_on_face<size_a>(b, face_b.face, face_b.separation, a, true, margin, tolerance, observer);
-  return touch_on_face<size_b>(a, face_a.face, face_a.separation, b, false, margin, tolerance, observer);
+  const Question asked{hull_a, hull_b, b_in_a, margin, tolerance, largest};
+  if (flipped) return touch_on_face<size_a>(b, face_b.face, face_b.separation, a, true, asked, observer);
+  return touch_on_face<size_b>(a, face_a.face, face_a.separation, b, false, asked, observer);
 }
 
 /// A hull of two or more points and a disc, in the hull's frame or the disc's.
@@ -359,8 +313,7 @@ Manifold collide(const Hull& a, const Pose& pose_a, const Hull& b, const Pose& p
   const Pose b_in_a = relative_pose(pose_a, pose_b);
   Manifold m = collide_local(a, b, b_in_a, margin, observer);
   m.normal = rotate(pose_a.rotation, m.normal);
-  // The second one too if there is none, which costs less than asking.
-  for (ManifoldPoint& p : m.points) p.point = rotate(pose_a.rotation, p.point);
+  for (int i = 0; i < m.count; ++i) m.points[i].point = rotate(pose_a.rotation, m.points[i].point);
   return m;
 }
 

@@ -17,7 +17,9 @@ inline namespace PROOFREEL_PRECISION {
 /// those of the centres of mass. Points farther apart than `margin` are left out; the corners of both shapes are
 /// metres, and so are margin and separation. All is computed in A's frame, so that nothing is lost far from the origin.
 /// Of two faces that are almost equally good (to 1e-4 of the thinner shape's thickness) A's is taken, so that a resting
-/// contact keeps its features; the depth may be off by as much.
+/// contact keeps its features; the depth may be off by as much. Where a corner is so straight that rounding decides
+/// which of its faces is taken, that does not show: a manifold that is not proven to be the nearest is left to
+/// collide_gjk.
 ///
 /// Tells the observer, in A's frame, of every axis (AxisTested, separations with the radii taken off), of the one
 /// chosen (AxisChosen), of the faces (FacesChosen) and of the points (PointClipped).

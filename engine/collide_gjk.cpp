@@ -74,7 +74,7 @@ Manifold manifold_of(const HullPair& pair, const Nearest& nearest, real margin, 
   std::uint32_t feature = 0;
   if (a.count > 1 && b.count > 1) {
     const Manifold m = clip_faces(pair, nearest.normal, margin, feature, observer);
-    const real slack = real(1e-6) * std::min(a.thickness, b.thickness) + 8 * rounding_of(nearest.on_a, nearest.on_b);
+    const real slack = real(1e-6) * std::min(a.thickness, b.thickness) + 2 * rounding_of(nearest.on_a, nearest.on_b);
     if (deepest(m) <= separation + slack) return m;
     feature |= 8U;  // corner against corner: of the faces, other parts are in front of each other, or none
   }

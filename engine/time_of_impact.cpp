@@ -24,13 +24,20 @@ Rot small_turn(real angle) {
   return {cosine, angle * sine};
 }
 
+/// The whole number below. Where it can, without std::floor, which is a call on a processor without SSE4.1.
+real rounded_down(real x) {
+  if (!(std::abs(x) < real(1e9))) return std::floor(x);
+  const auto towards_zero = static_cast<real>(static_cast<std::int32_t>(x));
+  return towards_zero - (towards_zero > x ? real(1) : real(0));
+}
+
 /// The rotation by an angle to the last digits but one: elementary::sin and cos are exact to the last, but take several
 /// times as long, and here they would take most of the time.
 Rot turn_by(real angle) {
   constexpr real quarter = real(1.57079632679489661923);
-  const real quarters = std::floor(angle / quarter + half);
+  const real quarters = rounded_down(angle / quarter + half);
   const Rot rest = small_turn(angle - quarters * quarter);
-  switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
+  switch (static_cast<int>(quarters - 4 * rounded_down(quarters / 4))) {
     case 0:
       return rest;
     case 1:
@@ -74,6 +81,7 @@ class Motion {
         way_(sweep_b.displacement - sweep_a.displacement),
         bend_(bend_of(a, sweep_a.turn) + bend_of(b, sweep_b.turn)) {}
 
+  Moment start() const { return {0, sweep_a_.start.rotation, sweep_b_.start.rotation, offset_}; }
   Moment at(real time) const {
     return {time, rotation_at(sweep_a_, time), rotation_at(sweep_b_, time), offset_ + time * way_};
   }
@@ -146,7 +154,7 @@ TimeOfImpact time_of_impact(const Hull& a, const Sweep& sweep_a, const Hull& b, 
   const real near = std::max(tolerance, 4 * motion.rounding());
   SimplexCache cache;
   TimeOfImpact result;
-  Moment now = motion.at(0);
+  Moment now = motion.start();
   while (result.iterations < most_runs) {
     const CoreDistance core = core_distance(motion.pair_at(now), cache, observer);
     ++result.iterations;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <new>
 #include <numbers>
 
@@ -78,6 +79,27 @@ void check_point(ShapeValue& value, Vec2d p, const std::string& what) {
   }
 }
 
+/// The radius of the largest circle inside a convex outline. Twice the area over the circumference is no less.
+double inradius_of(const std::vector<Vec2d>& corners) {
+  double around = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) around += distance(corners[i], corners[(i + 1) % corners.size()]);
+  double fits = 0;
+  double too_large = 2 * area_of(corners) / around;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double middle = (fits + too_large) / 2;
+    (inset(corners, middle).size() < 3 ? too_large : fits) = middle;
+  }
+  return too_large;
+}
+
+/// A rounding that leaves nothing of the shape.
+std::string problem_with_rounding(double rounding, const std::string& noun, const std::vector<Vec2d>& corners) {
+  char text[128];
+  std::snprintf(text, sizeof text, " is %.6g m and leaves nothing of it: make it smaller than %.6g m,", rounding,
+                inradius_of(corners));
+  return "the rounding of " + noun + text + " the radius of the largest circle inside";
+}
+
 /// The key `rounding`: corners become arcs of that radius, and the shape grows nowhere.
 void round_corners(const Fields& fields, ShapeValue& value) {
   const std::optional<double> rounding = fields.number("rounding", Range::not_negative);
@@ -88,8 +110,7 @@ void round_corners(const Fields& fields, ShapeValue& value) {
   }
   std::vector<Vec2d> core = inset(value.parts[0], *rounding);
   if (std::holds_alternative<std::string>(clean_polygon(core))) {
-    return note(value,
-                "the rounding of " + noun_of(fields) + " leaves nothing of it: make it smaller than half of its width");
+    return note(value, problem_with_rounding(*rounding, noun_of(fields), value.parts[0]));
   }
   value.parts = {std::move(core)};
   value.radius = *rounding;
@@ -140,6 +161,20 @@ int box(lua_State* state) {
   return push_made_polygon(fields, std::move(value), {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, pose);
 }
 
+/// Refuses what is listed at a number beyond the last of the sequence: nobody would read it.
+void refuse_stray_corners(lua_State* state, const char* word, lua_Integer count) {
+  lua_Integer stray = 0;
+  for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+    if (!lua_isinteger(state, -2)) continue;
+    const lua_Integer key = lua_tointeger(state, -2);
+    if (key > count && (stray == 0 || key < stray)) stray = key;
+  }
+  if (stray == 0) return;
+  const std::string number = "[" + std::to_string(stray) + "]";
+  throw Problem(std::string(word) + ": " + number + " comes after a gap, the list ends at " + std::to_string(count) +
+                ": number the points without gaps, or leave " + number + " out");
+}
+
 /// The corners listed in the table at index 1.
 std::vector<Vec2d> read_corners(lua_State* state, const char* word) {
   const auto count = lua_rawlen(state, 1);
@@ -147,6 +182,7 @@ std::vector<Vec2d> read_corners(lua_State* state, const char* word) {
     throw Problem(std::string(word) + ": " + std::to_string(count) + " points are too many, at most " +
                   std::to_string(most_corners) + " can be given: leave some out");
   }
+  refuse_stray_corners(state, word, static_cast<lua_Integer>(count));
   std::vector<Vec2d> corners;
   for (lua_Unsigned i = 1; i <= count; ++i) {
     lua_rawgeti(state, 1, static_cast<lua_Integer>(i));

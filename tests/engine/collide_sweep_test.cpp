@@ -119,6 +119,50 @@ Truth truth_of(const Core& a, const Core& b) {
   return {std::min(least, separation), separation + (gap > -1e-4 * detail ? 1e-6 * detail : 0), separation};
 }
 
+/// Whether one face of all is better than every other by more than `margin`: then the engine has no choice to make.
+/// Discs have no faces and leave none.
+bool has_clear_axis(const Core& a, const Core& b, double margin) {
+  double best = -1e300;
+  double second = -1e300;
+  const auto try_faces = [&](const Core& p, const Core& q) {
+    for (int i = 0; p.count > 1 && i < p.count; ++i) {
+      double gap = 1e300;
+      for (int j = 0; j < q.count; ++j) gap = std::min(gap, dot(p.normal(i), q.points[j] - p.points[i]));
+      second = std::max(second, std::min(best, gap));
+      best = std::max(best, gap);
+    }
+  };
+  try_faces(a, b);
+  try_faces(b, a);
+  return (a.count == 1 && b.count == 1) || best - second > 1e-4 * std::min(a.detail, b.detail) + margin;
+}
+
+/// Whether every point of `m` that is clearly within the margin is one of `other`, at the same place and as deep.
+bool holds_points_of(const Manifold& m, Vec2 at, const Manifold& other, Vec2 other_at, double margin, double slack) {
+  bool all = true;
+  for (int k = 0; k < m.count; ++k) {
+    if (static_cast<double>(m.points[k].separation) > margin - slack) continue;
+    bool found = false;
+    for (int l = 0; l < other.count; ++l) {
+      const Vec2d apart = Vec2d(at) + Vec2d(m.points[k].point) - Vec2d(other_at) - Vec2d(other.points[l].point);
+      const double deeper =
+          static_cast<double>(m.points[k].separation) - static_cast<double>(other.points[l].separation);
+      found = found || (length(apart) <= slack && std::abs(deeper) <= slack);
+    }
+    all = all && found;
+  }
+  return all;
+}
+
+/// Whether one manifold is the other with the shapes swapped: the normal turned round, the points the same. A normal
+/// from corner to corner is as exact as these are far apart, and the end of an edge that was cut as the edge is level.
+bool mirror_each_other(const Manifold& m, Vec2 at, const Manifold& back, Vec2 back_at, double margin, double radii) {
+  const double apart = static_cast<double>(deepest(m)) + radii;
+  const double slack = 2 * rounding * (apart > 0 ? 1 + 1 / apart : 1);
+  return length(Vec2d(m.normal) + Vec2d(back.normal)) <= slack &&
+         holds_points_of(m, at, back, back_at, margin, slack) && holds_points_of(back, back_at, m, at, margin, slack);
+}
+
 using MakeHull = Hull (*)(Random&);
 
 Hull disc(Random& random) { return make_hull(disc_shape(random.between(0.05, 0.5)), {}); }
@@ -227,21 +271,64 @@ TEST_CASE("Manifolds of random pairs agree with brute force", "[collide]") {
   }
 }
 
+TEST_CASE("Swapping the shapes turns the normal round and leaves the points where they are", "[collide]") {
+  for (const Kind& kind : kinds) {
+    Random random(104);
+    int seen = 0;
+    int compared = 0;
+    int different = 0;
+    for (int i = 0; i < pairs_per_kind / 10; ++i) {
+      const Placed a{kind.a(random), random_pose(random, 1)};
+      const Placed b{kind.b(random), random_pose(random, 1)};
+      const real margin = static_cast<real>(random.between(0, 0.5));
+      const Manifold ab = collide(a.hull, a.pose, b.hull, b.pose, margin);
+      const Manifold ba = collide(b.hull, b.pose, a.hull, a.pose, margin);
+      if (ab.count == 0 || ba.count == 0) continue;  // the other sweep sees to it that both have what they must
+      ++seen;
+      if (!has_clear_axis(core_of(a), core_of(b), 4 * rounding)) continue;
+      ++compared;
+      const double radii = static_cast<double>(a.hull.radius) + static_cast<double>(b.hull.radius);
+      const bool same = mirror_each_other(ab, a.pose.position, ba, b.pose.position, static_cast<double>(margin), radii);
+      different += same ? 0 : 1;
+    }
+    INFO(kind.name << ": " << different << " of " << compared << " differ from their mirror image");
+    CHECK(compared > 0.98 * seen);
+    CHECK(different == 0);
+  }
+}
+
+bool same_features(const Manifold& m, const Manifold& n) {
+  bool same = m.count == n.count;
+  for (int k = 0; k < m.count; ++k) same = same && m.points[k].feature == n.points[k].feature;
+  return same;
+}
+
+// Rounding a coordinate there moves a shape by half a unit in the last place at most. So the two move against each
+// other by less than two, and the separation changes by no more; the rest is for rounding on the way.
 TEST_CASE("A million metres away a manifold is right to 4 units in the last place of the offset", "[collide]") {
   const double offset = 1e6;
   const double ulp =
       static_cast<double>(std::nextafter(static_cast<real>(offset), std::numeric_limits<real>::max())) - offset;
   for (const Kind& kind : kinds) {
     Random random(101);
+    int compared = 0;
     for (int i = 0; i < pairs_per_kind / 50; ++i) {
       Placed a{kind.a(random), random_pose(random, 1)};
       Placed b{kind.b(random), random_pose(random, 1)};
-      const double here = static_cast<double>(deepest(collide(a.hull, a.pose, b.hull, b.pose, 9)));
+      const Manifold here = collide(a.hull, a.pose, b.hull, b.pose, 9);
+      const bool clear = has_clear_axis(core_of(a), core_of(b), 4 * ulp);
       a.pose.position += Vec2{static_cast<real>(offset), static_cast<real>(-offset)};
       b.pose.position += Vec2{static_cast<real>(offset), static_cast<real>(-offset)};
-      const double there = static_cast<double>(deepest(collide(a.hull, a.pose, b.hull, b.pose, 9)));
-      if (!(std::abs(there - here) <= 4 * ulp + 2e-4)) FAIL(kind.name << " " << i << ": " << here << ", " << there);
+      const Manifold there = collide(a.hull, a.pose, b.hull, b.pose, 9);
+      const double off = static_cast<double>(deepest(there)) - static_cast<double>(deepest(here));
+      if (!(std::abs(off) <= 4 * ulp)) FAIL(kind.name << " " << i << ": off by " << off << ", 4 ulp are " << 4 * ulp);
+      // In single precision 4 ulp are a quarter of a metre, and shapes that moved so far touch elsewhere.
+      if (!is_double || !clear) continue;
+      ++compared;
+      const bool same = same_features(here, there) && length(Vec2d(here.normal - there.normal)) < 1e-6;
+      if (!same) FAIL(kind.name << " " << i << ": other features or another normal");
     }
+    if (is_double) CHECK(compared > pairs_per_kind / 100);
   }
   SUCCEED();
 }
@@ -287,11 +374,10 @@ TEST_CASE("Moving by a millionth of the size changes no feature, save at the few
       const Manifold after = collide(a.hull, a.pose, b.hull, moved, real(0.5));
       if (before.count == 0) continue;
       ++seen;
-      bool same = before.count == after.count;
-      for (int k = 0; k < before.count; ++k) same = same && before.points[k].feature == after.points[k].feature;
-      changed += same ? 0 : 1;
+      changed += same_features(before, after) ? 0 : 1;
     }
   }
   CHECK(seen > pairs_per_kind / 50);
-  CHECK(changed <= seen / static_cast<int>(pick(1000, 50)));  // the rounding of float is a tenth of the motion
+  // Where two faces of one shape are equally good, one of them has to be chosen.
+  CHECK(changed <= seen / 10000);
 }

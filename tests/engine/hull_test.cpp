@@ -2,39 +2,15 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "engine/elementary.h"
 #include "engine/polygon.h"
-#include "tests/engine/random.h"
+#include "tests/engine/outlines.h"
 
 namespace proofreel {
 namespace {
 
-using Points = std::vector<Vec2d>;
+using namespace test;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = 3.141592653589793;
-
-const Points square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-
-Points regular(int sides, double radius, Vec2d center = {}) {
-  Points corners;
-  for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * pi * i / sides;
-    corners.push_back(center + radius * Vec2d{elementary::cos(angle), elementary::sin(angle)});
-  }
-  return corners;
-}
-
-Points moved(Points corners, Vec2d by) {
-  for (Vec2d& p : corners) p += by;
-  return corners;
-}
-
-Points scattered(Random& random, int count, double size) {
-  Points points;
-  for (int i = 0; i < count; ++i) points.push_back({random.between(-size, size), random.between(-size, size)});
-  return points;
-}
 
 /// A point is a corner of the hull when some line through it and another point has everything on its left, and it is
 /// not between two others.

@@ -223,8 +223,30 @@ TEST_CASE("A rounded triangle touches the sides of the sharp one") {
 }
 
 TEST_CASE("A rounding that cannot be had is refused with its reason") {
-  CHECK_THAT(refusal("box{width=1, height=0.4, rounding=0.2}"), Contains("smaller than half of its width"));
-  CHECK_THAT(refusal("regular{sides=5, radius=1, rounding=2}"), Contains("smaller than half of its width"));
+  CHECK_THAT(refusal("box{width=1, height=0.4, rounding=0.2}"), Contains("is 0.2 m") && Contains("smaller than 0.2 m"));
+  CHECK_THAT(refusal("regular{sides=4, radius=2, rounding=3}"), Contains("smaller than 1.41421 m"));
+  CHECK_THAT(refusal("polygon{{0,0},{4,0},{0,3}, rounding=1.5}"),
+             Contains("smaller than 1 m, the radius of the largest"));
   CHECK_THAT(refusal("polygon{{0,0},{2,0},{2,1},{1,1},{1,2},{0,2}, rounding=0.1}"), Contains("concave"));
   CHECK_THAT(error_of("scenario{}\nbody{shape=box{width=1, height=1, rounding=-1}}"), Contains("rounding"));
+}
+
+TEST_CASE("The largest rounding named is the largest there is") {
+  for (const std::string shape : {"polygon{{0,0},{4,0},{0,3}", "hull{{0,0},{2,-1},{5,1},{4,3},{1,2}",
+                                  "regular{sides=7, radius=1.5", "box{width=3, height=0.7"}) {
+    const std::string sentence = refusal(shape + ", rounding=9}");
+    const std::string::size_type at = sentence.find("smaller than ");
+    REQUIRE(at != std::string::npos);
+    const double largest = std::stod(sentence.substr(at + 13));
+    CHECK(body_of("body{shape=" + shape + ", rounding=" + std::to_string(0.9999 * largest) + "}}").shapes.size() == 1);
+    CHECK_THAT(refusal(shape + ", rounding=" + std::to_string(1.0001 * largest) + "}"), Contains("leaves nothing"));
+  }
+}
+
+TEST_CASE("A corner numbered beyond the sequence is refused with its place and what to do") {
+  const std::string error = error_of("scenario{}\nbody{shape=polygon{{0,0},{1,0},{1,1},[7]={0,1}}}");
+  CHECK_THAT(error,
+             Contains("scene.lua: line 2: polygon: [7] comes after a gap, the list ends at 3: number the points"));
+  CHECK_THAT(error_of("scenario{}\nbody{shape=hull{{0,0},{1,0},{1,1},[9]={0,1},[5]={2,2}}}"), Contains("hull: [5]"));
+  CHECK(body_of("body{shape=polygon{{0,0},{1,0},{1,1},[4]={0,1}}}").shapes[0].points.size() == 4);
 }
