@@ -34,7 +34,13 @@ void EffectCensus::add(const BodyDef& body) {
   }
 }
 
-void EffectCensus::add(const JointDef& joint) { (joint.kind == JointKind::spring ? spring_ : rigid_joint_) = true; }
+void EffectCensus::add(const JointDef& joint) {
+  spring_ |= is_springy(joint.kind);
+  rigid_joint_ |= !is_soft(joint.kind);
+  limit_ |= joint.limits.has_value() || joint.kind == JointKind::rope;
+  motor_ |= joint.motor.has_value() || joint.kind == JointKind::motor || joint.kind == JointKind::drag_to;
+  breakable_ |= joint.break_force.has_value();
+}
 
 bool EffectCensus::anything_meets() const {
   for (std::size_t i = 0; i < classes_.size(); ++i) {
@@ -77,6 +83,9 @@ std::vector<EffectDecision> EffectCensus::decisions() const {
               surface_speed_ ? "a surface moves, but no shape has friction" : "no surface moves");
   at_contacts(Effect::ccd, true, "bodies can meet, and none may pass through another", "");
   decide(Effect::joints, rigid_joint_, "there is a rigid joint", "there is no rigid joint");
+  decide(Effect::limits, limit_, "a joint has limits, or is a rope", "no joint has limits");
+  decide(Effect::motors, motor_, "a joint is driven", "no joint is driven");
+  decide(Effect::breakage, breakable_, "a joint can break", "no joint can break");
   at_contacts(Effect::sensors, sensor_, "bodies can meet, and one is a sensor", "no body is a sensor");
   return all;
 }
@@ -131,29 +140,38 @@ bool steps_everything(Integrator integrator) {
   return integrator == Integrator::symplectic_euler || integrator == Integrator::verlet;
 }
 
+namespace {
+
+bool is_pulled(const JointDef& joint) { return joint.kind == JointKind::drag_to; }
+
+/// Whether something in the scene may look at velocities, or at the time.
+bool brakes_or_drives(const Scene& scene, EffectSet effects) {
+  if (effects.has(Effect::drag) || effects.has(Effect::field) || effects.has(Effect::motors)) return true;
+  if (effects.has(Effect::buoyancy) && scene.water && scene.water->drag > 0) return true;
+  return std::any_of(scene.joints.begin(), scene.joints.end(),
+                     [](const JointDef& joint) { return joint.damping > 0 || joint.kind == JointKind::drag_to; });
+}
+
+}  // namespace
+
 std::optional<std::string> problem_with_method(const Scene& scene) {
   const Integrator integrator = scene.method.integrator;
   if (steps_everything(integrator)) return std::nullopt;
   const EffectSet effects = effects_of(scene);
   const std::string method = std::string("integrator \"") + name_of(integrator) + "\" ";
   if (effects.has(Effect::contacts))
-    return method +
-           "cannot step bodies that may meet, whose velocities jump: use \"verlet\" or \"symplectic_euler\", " +
-           "or give the bodies one negative group";
+    return method + "cannot step bodies that may meet, whose velocities jump: use \"verlet\" or " +
+           "\"symplectic_euler\", or give the bodies one negative group";
   if (effects.has(Effect::rocket))
     return method + "cannot step a rocket, whose mass changes on the way: use \"verlet\" or \"symplectic_euler\"";
-  if (integrator != Integrator::suzuki4) {
-    if (!effects.has(Effect::joints)) return std::nullopt;
-    return method + "cannot step rigid joints: use \"verlet\", \"symplectic_euler\" or \"suzuki4\"";
+  if (integrator == Integrator::suzuki4) {
+    if (!brakes_or_drives(scene, effects)) return std::nullopt;
+    return method + "steps backwards inside, where what brakes would drive (drag, dampers, motors, fields): " +
+           "use another one";
   }
-  if (effects.has(Effect::field))
-    return method +
-           "steps backwards inside, which a force field that may look at velocities does not bear: use another";
-  const bool damped =
-      std::any_of(scene.joints.begin(), scene.joints.end(), [](const JointDef& j) { return j.damping > 0; });
-  const bool wading = effects.has(Effect::buoyancy) && scene.water && scene.water->drag > 0;
-  if (!effects.has(Effect::drag) && !damped && !wading) return std::nullopt;
-  return method + "steps backwards inside, where drag and dampers would drive instead of brake: use another one";
+  const bool rigid = effects.has(Effect::joints) || std::any_of(scene.joints.begin(), scene.joints.end(), is_pulled);
+  if (!rigid) return std::nullopt;
+  return method + "cannot step joints other than springs: use \"verlet\" or \"symplectic_euler\"";
 }
 
 const char* name_of(Effect effect) {
@@ -190,6 +208,12 @@ const char* name_of(Effect effect) {
       return "ccd";
     case Effect::joints:
       return "joints";
+    case Effect::limits:
+      return "limits";
+    case Effect::motors:
+      return "motors";
+    case Effect::breakage:
+      return "breakage";
     case Effect::sensors:
       return "sensors";
   }

@@ -56,6 +56,9 @@ class EffectCensus {
   bool sensor_ = false;
   bool spring_ = false;
   bool rigid_joint_ = false;
+  bool limit_ = false;
+  bool motor_ = false;
+  bool breakable_ = false;
 };
 
 /// The effects a simulation of this scene runs: its list, or what can be inferred from what it holds.

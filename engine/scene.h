@@ -91,22 +91,65 @@ struct BodyDef {
 };
 
 enum class JointKind : std::uint8_t {
-  revolute,  ///< keeps two anchors together; its two bodies do not collide with each other
-  distance,  ///< keeps two anchors `length` apart, as a massless rod
-  spring     ///< pulls two anchors towards `length` apart
+  revolute,   ///< keeps two anchors together
+  distance,   ///< keeps two anchors `length` apart, as a massless rod
+  spring,     ///< pulls two anchors towards `length` apart
+  rope,       ///< keeps two anchors within `length` of each other
+  prismatic,  ///< b slides along `axis` of a and does not turn against it
+  weld,       ///< makes two bodies one
+  wheel,      ///< b turns freely, and moves along `axis` of a on a spring
+  gear,       ///< couples the coordinates of two other joints
+  pulley,     ///< two ropes over two fixed pins: what one side gains the other loses
+  drag_to,    ///< pulls a point of body b softly to a point of the world
+  motor       ///< drives b relative to a, with nothing else holding them
 };
 
-/// Anchors are in the coordinates of their bodies (world coordinates for the world body).
+/// Lowest and highest value of a joint's coordinate, counted from where it was when the joint was made: rad, or m.
+struct LimitsDef {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// Drives a coordinate at a speed with as much as it takes, but no more than `strongest`: rad/s and N m, or m/s and N.
+struct MotorDef {
+  double speed = 0;
+  double strongest = 0;
+};
+
+/// Anchors are in the coordinates of their bodies (world coordinates for the world body). Speeds and limits are of b
+/// relative to a.
 struct JointDef {
   JointKind kind = JointKind::revolute;
   BodyId a = BodyId::world;
   BodyId b = BodyId::world;
   Vec2d anchor_a;
   Vec2d anchor_b;
-  double length = 0;     ///< distance, spring: m
-  double stiffness = 0;  ///< spring: N/m
-  double damping = 0;    ///< spring: N s/m along the spring
+  double length = 0;                  ///< distance, spring, rope: m
+  double stiffness = 0;               ///< spring, wheel: N/m
+  double damping = 0;                 ///< spring, wheel: N s/m along the spring
+  Vec2d axis{1, 0};                   ///< prismatic, wheel: unit, in the coordinates of a
+  std::optional<LimitsDef> limits;    ///< revolute (rad), prismatic (m)
+  std::optional<MotorDef> motor;      ///< revolute, wheel, motor (rad/s, N m), prismatic (m/s, N)
+  std::optional<double> break_force;  ///< N: the joint goes when its mean reaction over a tick is larger
+  double ratio = 1;                   ///< gear, pulley
+  JointId first{};                    ///< gear: two of revolute and prismatic
+  JointId second{};
+  Vec2d pin_a;           ///< pulley: world
+  Vec2d pin_b;           ///< pulley: world
+  Vec2d target;          ///< drag_to: world
+  Vec2d velocity;        ///< motor: m/s of b's centre as seen from a, world axes
+  double max_force = 0;  ///< drag_to, motor: N (motor: along each axis; 0 drives no translation)
 };
+
+/// Whether the joint holds by force alone, like a spring, and has no equation that must be met.
+inline bool is_soft(JointKind kind) { return kind == JointKind::spring || kind == JointKind::drag_to; }
+/// Whether the joint has a spring, and a damper.
+inline bool is_springy(JointKind kind) { return kind == JointKind::spring || kind == JointKind::wheel; }
+/// Whether the joint's two bodies may overlap: they do not collide with each other.
+inline bool lets_overlap(JointKind kind) {
+  return kind == JointKind::revolute || kind == JointKind::prismatic || kind == JointKind::weld ||
+         kind == JointKind::wheel;
+}
 
 enum class AttractionLaw : std::uint8_t {
   inverse_square,  ///< m * strength / r^2, strength in m^3/s^2
@@ -172,9 +215,12 @@ enum class Effect : std::uint8_t {
   surface_speed,
   ccd,
   joints,
+  limits,
+  motors,
+  breakage,
   sensors
 };
-inline constexpr int effect_count = 17;
+inline constexpr int effect_count = 20;
 
 /// A set of effects.
 class EffectSet {

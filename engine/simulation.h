@@ -72,12 +72,20 @@ struct ApplyTorque {
 struct CreateJoint {
   JointDef def;
 };
+/// Gears that couple the joint go with it.
 struct RemoveJoint {
   JointId joint{};
 };
+/// Changes what is given, leaves the rest.
+struct ChangeJoint {
+  JointId joint{};
+  std::optional<Vec2d> target;    ///< of a drag_to
+  std::optional<double> speed;    ///< of the joint's motor
+  std::optional<Vec2d> velocity;  ///< of a motor joint that has a max_force
+};
 
-using Command =
-    std::variant<CreateBody, ChangeBody, RemoveBody, ApplyImpulse, ApplyForce, ApplyTorque, CreateJoint, RemoveJoint>;
+using Command = std::variant<CreateBody, ChangeBody, RemoveBody, ApplyImpulse, ApplyForce, ApplyTorque, CreateJoint,
+                             RemoveJoint, ChangeJoint>;
 
 /// Two shapes that did not touch before the last tick and do now (a sensor counts as touched on overlap).
 struct ContactEvent {
@@ -86,6 +94,13 @@ struct ContactEvent {
   Vec2d point;
   Vec2d normal;        ///< unit, from a to b
   double impulse = 0;  ///< N s along the normal during the tick
+};
+
+/// A joint that was loaded beyond its break_force during the last tick and is gone.
+struct BreakEvent {
+  JointId joint{};
+  Vec2d point;     ///< where it held b, world
+  Vec2d reaction;  ///< N on b, mean over the tick
 };
 
 /// Why a simulation stopped: most often a number that is not finite.
@@ -107,6 +122,11 @@ class Simulation {
   virtual std::int64_t tick() const = 0;
   /// Of the last tick, in a fixed order.
   virtual const std::vector<ContactEvent>& contact_events() const = 0;
+  /// Of the last tick, in order of the joints' ids. A simulation whose joints never break has none.
+  virtual const std::vector<BreakEvent>& break_events() const {
+    static const std::vector<BreakEvent> none;
+    return none;
+  }
   virtual bool exists(BodyId body) const = 0;
   virtual bool exists(JointId joint) const = 0;
   virtual BodyState body(BodyId body) const = 0;

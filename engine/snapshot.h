@@ -78,10 +78,16 @@ struct JointView {
   JointKind kind = JointKind::revolute;
   BodyId a = BodyId::world;
   BodyId b = BodyId::world;
-  Vec2d anchor_a;  ///< world
-  Vec2d anchor_b;  ///< world
-  Vec2d reaction;  ///< N on b, mean over the last tick
-  double gap = 0;  ///< m by which the joint is violated; 0 for springs
+  Vec2d anchor_a;     ///< world
+  Vec2d anchor_b;     ///< world
+  Vec2d reaction;     ///< N on b, mean over the last tick
+  double torque = 0;  ///< N m on b beside the reaction (of limits, motors, welds), mean over the last tick
+  double gap = 0;     ///< m by which the joint is violated; 0 for what is soft
+  Vec2d axis;         ///< prismatic, wheel: unit, world
+  double length = 0;  ///< rope: m
+  Vec2d pin_a;        ///< pulley: world
+  Vec2d pin_b;
+  bool broken = false;  ///< it is gone, because its load was too much
 };
 
 /// One box of the broad phase's tree.

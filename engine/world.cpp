@@ -66,6 +66,7 @@ void World::step_in_stages() {
   for (int i = 0; i < method_.substeps; ++i) advance(h_);
   timed(StepStage::motion, [this] { book_work(); });
   timed(StepStage::motion, [this] { end_tick(); });
+  break_joints();
   collect_events();
   detect_failure();
 }
@@ -76,10 +77,10 @@ void World::rebuild_if_changed() {
   effects_ = listed_effects_ ? *listed_effects_ : census_.inferred();
   bodies_are_free_ = steps_everything(method_.integrator) && effects_.has_only(effects_of_free_bodies);
   gather_free_forces();
-  if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_);
+  if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_, {on(Effect::limits), on(Effect::motors)});
   hinged_.clear();
   for (const Joint& joint : joints_) {
-    if (joint.alive && joint.kind == JointKind::revolute) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
+    if (joint.alive && lets_overlap(joint.kind)) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
   }
   if (!on(Effect::contacts)) return;
   if (ground_changed_) join_fixed_shapes();
@@ -118,7 +119,11 @@ void World::begin_tick() {
     push.angle_before = motions_[push.body].angle;
     accelerations_[push.body] = motions_[push.body].inv_mass * push.force + acceleration_of(push.body);
   }
-  for (Joint& joint : joints_) joint.impulse = {};
+  for (Joint& joint : joints_) {
+    joint.impulse = {};
+    joint.soft_impulse = {};
+    joint.twist = 0;
+  }
 }
 
 void World::find_contacts() {
@@ -135,18 +140,20 @@ void World::prepare_solvers() {
     });
   }
   if (on(Effect::joints)) {
-    timed(StepStage::joint_solver, [this] { joint_solver_.linearize(joints_, bodies_, motions_); });
+    timed(StepStage::joint_solver, [this] { joint_solver_.linearize(jointed()); });
   }
 }
 
 /// Verlet splits the forces in two halves, one before the drift and one after it; symplectic Euler gives them all
-/// before. Drag and rockets change velocities by laws of their own and lie around the kicks, in the same halves and in
-/// mirrored order: there positions and velocities belong to one time, so that the work done is booked exactly.
+/// before. Drag, dampers, pulls and rockets change velocities by laws of their own and lie around the kicks, in the
+/// same halves and in mirrored order: there positions and velocities belong to one time, so that the work done is
+/// booked exactly.
 void World::substep(real h) {
   const bool verlet = method_.integrator != Integrator::symplectic_euler;
   const real share = verlet ? real(0.5) : real(1);
   if (on(Effect::restitution)) timed(StepStage::restitution, [&] { bounce(h); });
   if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
+  if (verlet) pull_and_damp(share * h);
   if (verlet) slow_down(share * h);
   if (verlet) wade(share * h);
   if (verlet) thrust(share * h);
@@ -157,14 +164,20 @@ void World::substep(real h) {
   timed(StepStage::motion, [&] { drift_all(h); });
   if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
   if (on(Effect::field)) timed(StepStage::field, [&] { book_fields(h, share); });
-  if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(joints_, bodies_, motions_); });
+  if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(jointed()); });
   if (verlet) kick(share * h);
   if (on(Effect::field) && verlet) timed(StepStage::field, [&] { finish_fields(h); });
   if (verlet) contact_solver_.add_share(motions_, share);
   thrust(share * h);
   wade(share * h);
   slow_down(share * h);
+  pull_and_damp(share * h);
   relax(h);
+}
+
+void World::pull_and_damp(real h) {
+  if (on(Effect::springs)) timed(StepStage::springs, [&] { damp_springs(h); });
+  if (on(Effect::motors)) timed(StepStage::joint_solver, [&] { pull_all(h); });
 }
 
 void World::slow_down(real h) {
@@ -197,10 +210,10 @@ void World::kick(real h) {
 void World::solve(real h, real share) {
   const bool joints = on(Effect::joints) && !joint_solver_.empty();
   contact_solver_.begin_substep(motions_, share);
-  if (joints) joint_solver_.begin_substep(joints_, motions_);
+  if (joints) joint_solver_.begin_substep(jointed(), h, share);
   for (int i = 0; i < method_.iterations; ++i) {
     if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.solve(motions_, h); });
-    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(joints_, bodies_, motions_, h); });
+    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
   }
 }
 
@@ -209,7 +222,7 @@ void World::relax(real h) {
   const bool joints = on(Effect::joints) && !joint_solver_.empty();
   for (int i = 0; i < method_.iterations; ++i) {
     if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });
-    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(joints_, motions_); });
+    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
   }
   contact_solver_.end_substep();
 }
@@ -248,10 +261,28 @@ void World::book_work() {
     }
   }
   for (const Joint& joint : joints_) {
-    if (!joint.alive) continue;
-    const AnchorGap g = anchor_gap(joint, bodies_, motions_);
-    book(joint.body_a, joint.impulse, g.arm_a);
-    book(joint.body_b, -joint.impulse, g.arm_b);
+    if (!joint.alive || joint.soft_impulse == Vec2{}) continue;
+    const JointPlace place = place_of(joint, bodies_, motions_);
+    book(joint.body_a, joint.soft_impulse, place.arm_a + place.gap);
+    book(joint.body_b, -joint.soft_impulse, place.arm_b);
+  }
+  if (on(Effect::joints)) booked_work_ += joint_solver_.take_work(jointed());
+}
+
+/// By the reaction of the whole tick, which a single substep's jolt hardly moves. What a suspension holds is lost with
+/// it, to nothing the energy counts.
+void World::break_joints() {
+  break_events_.clear();
+  if (!on(Effect::breakage)) return;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    Joint& joint = joints_[i];
+    const Vec2 reaction = static_cast<real>(rate_) * joint.impulse;
+    if (!joint.alive || joint.break_force <= 0 || length(reaction) <= joint.break_force) continue;
+    const Vec2 arm = place_of(joint, bodies_, motions_).arm_b;
+    break_events_.push_back({static_cast<JointId>(i), Vec2d(bodies_[joint.body_b].center + arm), Vec2d(reaction)});
+    if (is_springy(joint.kind)) booked_work_ -= stored_energy(joint, bodies_, motions_);
+    remove_joint(i);
+    joint.broken = true;
   }
 }
 
@@ -292,7 +323,7 @@ void World::detect_failure() {
 const char* World::stage_of_failure(BodyIndex body) const {
   for (const Joint& joint : joints_) {
     const bool here = joint.body_a == body || joint.body_b == body;
-    if (here && !is_finite(joint.impulse)) return joint.kind == JointKind::spring ? "springs" : "joints";
+    if (here && !is_finite(joint.impulse)) return is_soft(joint.kind) ? "springs" : "joints";
   }
   for (const Contact& contact : contacts_) {
     if (contact.body_a != body && contact.body_b != body) continue;

@@ -31,6 +31,7 @@ class World final : public Simulation {
   void apply(const Command& command) override;
   std::int64_t tick() const override { return tick_; }
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  const std::vector<BreakEvent>& break_events() const override { return break_events_; }
   bool exists(BodyId id) const override;
   bool exists(JointId id) const override;
   BodyState body(BodyId id) const override;
@@ -65,6 +66,7 @@ class World final : public Simulation {
   void prepare_solvers();
   void advance(real h);
   void substep(real h);
+  void pull_and_damp(real h);
   void slow_down(real h);
   void wade(real h);
   void thrust(real h);
@@ -73,6 +75,7 @@ class World final : public Simulation {
   void relax(real h);
   void end_tick();
   void book_work();
+  void break_joints();
   void collect_events();
   void detect_failure();
   const char* stage_of_failure(BodyIndex body) const;
@@ -86,6 +89,8 @@ class World final : public Simulation {
   void bounce(real h);
   void accelerate(real h);
   void kick_springs(real h);
+  void damp_springs(real h);
+  void pull_all(real h);
   void burn_rockets(real h);
   void drag_all(real h);
   void drift_all(real h);
@@ -117,8 +122,10 @@ class World final : public Simulation {
   void execute(const ApplyTorque& command);
   void execute(const CreateJoint& command);
   void execute(const RemoveJoint& command);
+  void execute(const ChangeJoint& command);
   void add_body(const BodyDef& def);
   void add_joint(const JointDef& def);
+  void remove_joint(std::size_t index);
   void add_rocket(const RocketDef& def);
   real size_of(const Joint& joint) const;
   void reshape(BodyIndex index, Vec2d origin);
@@ -139,6 +146,7 @@ class World final : public Simulation {
   ContactView view_of(const Contact& contact) const;
   void observe_bodies(Snapshot& snapshot) const;
   double potential_energy() const;
+  JointedBodies jointed() { return {joints_, bodies_, motions_}; }
 
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
@@ -183,8 +191,9 @@ class World final : public Simulation {
   SmoothIntegrator smooth_integrator_;
   std::vector<Motion> pulled_;                ///< scratch: places of now, velocities that forces would give in a second
   bool diverged_ = false;                     ///< an implicit integrator found no solution
-  std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies with a revolute joint: they may overlap at the hinge
+  std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies whose joint lets them overlap
   std::vector<ContactEvent> events_;
+  std::vector<BreakEvent> break_events_;
   std::optional<WaterDef> water_;
   std::vector<Wetted> wetted_;  ///< by body, since the bodies were last moved
   FieldForces fields_;

@@ -190,8 +190,8 @@ void World::execute(const RemoveBody& command) {
   const BodyIndex index = index_of(command.body);
   ground_changed_ |= bodies_[index].type == BodyType::fixed;
   remove_shapes(index);
-  for (Joint& joint : joints_) {
-    if (joint.body_a == index || joint.body_b == index) joint.alive = false;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (joints_[i].body_a == index || joints_[i].body_b == index) remove_joint(i);
   }
   bodies_[index].alive = false;
   bodies_[index].type = BodyType::fixed;
@@ -241,16 +241,12 @@ real World::size_of(const Joint& joint) const {
 }
 
 void World::add_joint(const JointDef& def) {
-  Joint joint;
-  joint.kind = def.kind;
-  joint.body_a = index_of(def.a);
-  joint.body_b = index_of(def.b);
+  Joint joint = make_joint(def);
   joint.local_a = Vec2(def.anchor_a) - bodies_[joint.body_a].local_center;
   joint.local_b = Vec2(def.anchor_b) - bodies_[joint.body_b].local_center;
-  joint.length = static_cast<real>(def.length);
+  joint.angle = motions_[joint.body_b].angle - motions_[joint.body_a].angle;
   joint.size = size_of(joint);
-  joint.stiffness = static_cast<real>(def.stiffness);
-  joint.damping = static_cast<real>(def.damping);
+  joint.offset = joint_offset(joint, joints_, bodies_, motions_);
   joints_.push_back(joint);
   census_.add(def);
   structure_changed_ = true;
@@ -263,9 +259,23 @@ void World::add_rocket(const RocketDef& def) {
 
 void World::execute(const CreateJoint& command) { add_joint(command.def); }
 
-void World::execute(const RemoveJoint& command) {
-  joints_[static_cast<std::size_t>(command.joint)].alive = false;
+void World::execute(const RemoveJoint& command) { remove_joint(static_cast<std::size_t>(command.joint)); }
+
+void World::remove_joint(std::size_t index) {
+  joints_[index].alive = false;
   structure_changed_ = true;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& gear = joints_[i];
+    if (!gear.alive || gear.kind != JointKind::gear) continue;
+    if (gear.first == index || gear.second == index) remove_joint(i);
+  }
+}
+
+void World::execute(const ChangeJoint& change) {
+  Joint& joint = joints_[static_cast<std::size_t>(change.joint)];
+  if (change.target) joint.target = Vec2(*change.target);
+  if (change.velocity) joint.velocity = Vec2(*change.velocity);
+  if (change.speed) joint.motor->speed = static_cast<real>(*change.speed);
 }
 
 }  // namespace PROOFREEL_PRECISION

@@ -35,16 +35,23 @@ BodyState World::body(BodyId id) const {
 
 JointView World::joint(JointId id) const {
   const Joint& joint = joints_[static_cast<std::size_t>(id)];
-  const AnchorGap g = anchor_gap(joint, bodies_, motions_);
+  const JointPlace place = place_of(joint, bodies_, motions_);
   JointView view;
   view.id = id;
   view.kind = joint.kind;
   view.a = static_cast<BodyId>(joint.body_a);
   view.b = static_cast<BodyId>(joint.body_b);
-  view.anchor_a = Vec2d(bodies_[joint.body_a].center + g.arm_a);
-  view.anchor_b = Vec2d(bodies_[joint.body_b].center + g.arm_b);
+  view.anchor_a =
+      joint.kind == JointKind::drag_to ? Vec2d(joint.target) : Vec2d(bodies_[joint.body_a].center + place.arm_a);
+  view.anchor_b = Vec2d(bodies_[joint.body_b].center + place.arm_b);
   view.reaction = static_cast<double>(rate_) * Vec2d(joint.impulse);
-  view.gap = static_cast<double>(violation(joint, g.gap));
+  view.torque = rate_ * static_cast<double>(joint.twist);
+  view.gap = static_cast<double>(violation(joint, joints_, bodies_, motions_));
+  view.axis = Vec2d(place.axis);
+  view.length = static_cast<double>(joint.length);
+  view.pin_a = Vec2d(joint.pin_a);
+  view.pin_b = Vec2d(joint.pin_b);
+  view.broken = joint.broken;
   return view;
 }
 
@@ -125,9 +132,8 @@ double World::potential_energy() const {
     potential -= weight * dot(Vec2d(effective_gravity()), Vec2d(bodies_[i].center + motions_[i].delta));
   }
   for (const Joint& joint : joints_) {
-    if (!joint.alive || joint.kind != JointKind::spring) continue;
-    const auto stretch = static_cast<double>(length(anchor_gap(joint, bodies_, motions_).gap) - joint.length);
-    potential += 0.5 * static_cast<double>(joint.stiffness) * stretch * stretch;
+    if (!joint.alive || !is_springy(joint.kind)) continue;
+    potential += stored_energy(joint, bodies_, motions_);
   }
   if (on(Effect::attractor)) {
     for (const AttractorDef& attractor : attractors_) potential += potential_of(attractor, bodies_, motions_);

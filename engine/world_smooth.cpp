@@ -18,12 +18,12 @@ constexpr std::array<double, 5> suzuki_steps{p, p, 1 - 4 * p, p, p};
 
 /// The force of a spring and its damper on body b.
 struct SpringPull {
-  AnchorGap at;
+  JointPlace at;
   Vec2 force;
 };
 
 SpringPull pull_of(const Joint& spring, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {
-  SpringPull pull{anchor_gap(spring, bodies, motions), {}};
+  SpringPull pull{place_of(spring, bodies, motions), {}};
   const real stretched = length(pull.at.gap);
   if (stretched <= 0) return pull;
   const Vec2 along = (1 / stretched) * pull.at.gap;

@@ -74,7 +74,19 @@ void World::accelerate(real h) {
 
 void World::kick_springs(real h) {
   for (Joint& joint : joints_) {
-    if (joint.alive && joint.kind == JointKind::spring) kick_spring(joint, bodies_, motions_, h);
+    if (joint.alive && is_springy(joint.kind)) kick_spring(joint, bodies_, motions_, h);
+  }
+}
+
+void World::damp_springs(real h) {
+  for (Joint& joint : joints_) {
+    if (joint.alive && is_springy(joint.kind)) damp_spring(joint, bodies_, motions_, h);
+  }
+}
+
+void World::pull_all(real h) {
+  for (Joint& joint : joints_) {
+    if (joint.alive && joint.kind == JointKind::drag_to) booked_work_ += pull(joint, bodies_, motions_, h);
   }
 }
 

@@ -32,6 +32,9 @@ constexpr Cost costs[] = {
     {Effect::surface_speed, std::nullopt, "contacts"},
     {Effect::ccd, std::nullopt, "narrow_phase"},
     {Effect::joints, StepStage::joint_solver, ""},
+    {Effect::limits, std::nullopt, "joints"},
+    {Effect::motors, std::nullopt, "joints"},
+    {Effect::breakage, std::nullopt, "joints"},
     {Effect::sensors, std::nullopt, "narrow_phase"},
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "render/draw_layers.h"
 
@@ -47,8 +48,7 @@ void draw_rod(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
 }
 
 /// Always as many coils, so that stretching shows as coils further apart.
-void draw_spring(const Stage& stage, Vec2d a, Vec2d b) {
-  constexpr int half_coils = 16;
+void draw_spring(const Stage& stage, Vec2d a, Vec2d b, int half_coils = 16) {
   constexpr double straight = 0.12;  // of the length, at either end
   const double swing = std::max(3.0, 8 * stage.sizes.unit);
   const Vec2d side = swing * perp(normalized(b - a));
@@ -62,6 +62,107 @@ void draw_spring(const Stage& stage, Vec2d a, Vec2d b) {
   stage.canvas.stroke(points, 0.8 * line_px(stage), stage.palette.joint, stage.palette.joint);
   draw_end(stage, a);
   draw_end(stage, b);
+}
+
+/// The axis of a prismatic joint or a wheel in the picture, whose y points down.
+Vec2d axis_px(const JointView& joint) { return {joint.axis.x, -joint.axis.y}; }
+
+double reach_px(const Stage& stage) { return std::max(10.0, 26 * stage.sizes.unit); }
+
+/// A rail as long as the slider's way so far and a little more, with an end at either side.
+void draw_rail(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  const Vec2d axis = axis_px(joint);
+  const double along = dot(b - a, axis);
+  const Vec2d from = a + (std::min(0.0, along) - reach_px(stage)) * axis;
+  const Vec2d to = a + (std::max(0.0, along) + reach_px(stage)) * axis;
+  const Vec2d side = 0.3 * reach_px(stage) * perp(axis);
+  const double width = 0.8 * line_px(stage);
+  stage.canvas.line(from, to, width, stage.palette.joint);
+  for (const Vec2d end : {from, to}) stage.canvas.line(end - side, end + side, width, stage.palette.joint);
+  // The shoe that slides: two short lines beside the rail.
+  const Vec2d half = 0.45 * reach_px(stage) * axis;
+  for (const double sign : {-1.0, 1.0}) {
+    const Vec2d beside = b + 0.7 * sign * side;
+    stage.canvas.line(beside - half, beside + half, line_px(stage), stage.palette.joint);
+  }
+}
+
+/// A seam across the line between what is welded.
+void draw_weld(const Stage& stage, Vec2d at) {
+  const double arm = std::max(3.0, 6 * stage.sizes.unit);
+  for (const double sign : {-1.0, 1.0}) {
+    stage.canvas.line(at - Vec2d{arm, sign * arm}, at + Vec2d{arm, sign * arm}, line_px(stage), stage.palette.joint);
+  }
+}
+
+/// The suspension from the chassis to the wheel, and the wheel's pin.
+void draw_wheel(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  const Vec2d top = a + (axis_px(joint).y > 0 ? -1.7 : 1.7) * reach_px(stage) * axis_px(joint);
+  draw_spring(stage, top, b, 7);
+  draw_pivot(stage, b, false);
+}
+
+/// A rope that is longer than its span hangs in a parabola: its length is span + 8/3 sag^2 / span while it is flat.
+void draw_rope(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  constexpr int parts = 24;
+  const double span = distance(a, b);
+  const double spare = std::max(0.0, stage.camera.px(joint.length) - span);
+  const double sag = std::min(std::sqrt(0.375 * spare * std::max(span, spare)), 0.5 * (span + spare));
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= parts; ++i) {
+    const double t = static_cast<double>(i) / parts;
+    points.push_back(lerp(a, b, t) + Vec2d{0, 4 * t * (1 - t) * sag});
+  }
+  stage.canvas.stroke(points, 0.8 * line_px(stage), stage.palette.joint, stage.palette.joint);
+  draw_end(stage, a);
+  draw_end(stage, b);
+}
+
+void draw_pulley(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  const Vec2d pin_a = stage.camera.to_px(joint.pin_a);
+  const Vec2d pin_b = stage.camera.to_px(joint.pin_b);
+  const std::vector<Vec2d> rope{a, pin_a, pin_b, b};
+  stage.canvas.stroke(rope, 0.8 * line_px(stage), stage.palette.joint, stage.palette.joint);
+  for (const Vec2d pin : {pin_a, pin_b}) draw_pivot(stage, pin, true);
+  for (const Vec2d end : {a, b}) draw_end(stage, end);
+}
+
+/// A line with the mark of teeth halfway.
+void draw_gear(const Stage& stage, Vec2d a, Vec2d b) {
+  Color color = stage.palette.joint;
+  stage.canvas.line(a, b, 0.6 * line_px(stage), color);
+  const Vec2d along = normalized(b - a);
+  const double pitch = std::max(3.0, 5 * stage.sizes.unit);
+  for (int tooth = -2; tooth <= 2; ++tooth) {
+    const Vec2d at = lerp(a, b, 0.5) + tooth * pitch * along;
+    const Vec2d side = (tooth % 2 == 0 ? 1.0 : -1.0) * pitch * perp(along);
+    stage.canvas.line(at, at + side, 0.8 * line_px(stage), color);
+  }
+}
+
+/// A thin line to a target of cross hairs.
+void draw_pull(const Stage& stage, Vec2d target, Vec2d at) {
+  const double arm = std::max(4.0, 9 * stage.sizes.unit);
+  const double width = 0.6 * line_px(stage);
+  stage.canvas.line(at, target, width, stage.palette.joint);
+  stage.canvas.line(target - Vec2d{arm, 0}, target + Vec2d{arm, 0}, width, stage.palette.joint);
+  stage.canvas.line(target - Vec2d{0, arm}, target + Vec2d{0, arm}, width, stage.palette.joint);
+  draw_end(stage, at);
+}
+
+/// Three quarters of a circle with an arrow head, at the centre of what is driven.
+void draw_motor(const Stage& stage, const JointView& joint) {
+  const BodyView* body = find_body(stage.frame.snapshot, joint.b);
+  if (body == nullptr) return;
+  const Vec2d center = stage.camera.to_px(body->state.center);
+  const double radius = std::max(5.0, 10 * stage.sizes.unit);
+  std::vector<Vec2d> points;
+  for (int i = 0; i <= 18; ++i) {
+    const Rotd turn(0.25 * i);
+    points.push_back(center + radius * Vec2d{turn.c, -turn.s});
+  }
+  stage.canvas.stroke(points, 0.7 * line_px(stage), stage.palette.joint, stage.palette.joint);
+  draw_end(stage, points.back());
 }
 
 }  // namespace
@@ -79,6 +180,30 @@ void draw_joints(const Stage& stage) {
         break;
       case JointKind::spring:
         draw_spring(stage, a, b);
+        break;
+      case JointKind::rope:
+        draw_rope(stage, joint, a, b);
+        break;
+      case JointKind::prismatic:
+        draw_rail(stage, joint, a, b);
+        break;
+      case JointKind::weld:
+        draw_weld(stage, 0.5 * (a + b));
+        break;
+      case JointKind::wheel:
+        draw_wheel(stage, joint, a, b);
+        break;
+      case JointKind::gear:
+        draw_gear(stage, a, b);
+        break;
+      case JointKind::pulley:
+        draw_pulley(stage, joint, a, b);
+        break;
+      case JointKind::drag_to:
+        draw_pull(stage, a, b);
+        break;
+      case JointKind::motor:
+        draw_motor(stage, joint);
         break;
     }
   }

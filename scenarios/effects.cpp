@@ -37,9 +37,10 @@ EffectSet called_for_by(const BodyDef& body) {
 }
 
 EffectSet called_for_by(const JointDef& joint) {
-  EffectSet set;
-  set.add(joint.kind == JointKind::spring ? Effect::springs : Effect::joints);
-  return set;
+  Scene only_it;
+  only_it.gravity = {};
+  only_it.joints = {joint};
+  return effects_of(only_it);
 }
 
 EffectSet called_for_by(const Scene& scene) {

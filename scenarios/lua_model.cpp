@@ -22,7 +22,8 @@ bool Model::exists(BodyId body) const {
 bool Model::exists(JointId joint) const {
   if (simulation != nullptr) return simulation->exists(joint);
   const JointRecord& record = joints[static_cast<std::size_t>(joint)];
-  return !record.removed && exists(record.def.a) && exists(record.def.b);
+  if (record.removed || !exists(record.def.a) || !exists(record.def.b)) return false;
+  return record.def.kind != JointKind::gear || (exists(record.def.first) && exists(record.def.second));
 }
 
 BodyState Model::state(BodyId body) const {

@@ -56,6 +56,11 @@ struct ContactHandler {
   int function = 0;
 };
 
+struct BreakHandler {
+  JointId joint{};
+  int function = 0;
+};
+
 /// What a measure should be: a function of time, or a table of times and values.
 struct Reference {
   std::string measure;
@@ -80,6 +85,7 @@ struct Model {
   std::size_t timers_made = 0;
   std::vector<ContactHandler> contact_handlers;
   std::vector<int> fields;        ///< functions of Scene::fields
+  std::vector<BreakHandler> break_handlers;
   std::vector<int> measures;      ///< functions of Scenario::measures
   std::vector<int> expectations;  ///< functions of Scenario::expectations
   std::vector<Reference> references;

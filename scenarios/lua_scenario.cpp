@@ -29,11 +29,11 @@ constexpr Name contact_solver_names[] = {
     {"soft_step"}, {"sequential_impulses", false}, {"ngs", false}, {"exact", false}, {"event", false}};
 constexpr Name joint_solver_names[] = {{"direct"}, {"iterative", false}};
 constexpr Name precision_names[] = {{"single"}, {"double"}};
-constexpr Name effect_names[] = {{"gravity"},        {"springs"},       {"contacts"},      {"friction"},
-                                 {"restitution"},    {"ccd"},           {"joints"},        {"sensors"},
-                                 {"drag"},           {"wind"},          {"attractor"},     {"nbody"},
-                                 {"buoyancy"},       {"field"},         {"rocket"},        {"rolling_resistance"},
-                                 {"surface_speed"},  {"limits", false}, {"motors", false}, {"breakage", false},
+constexpr Name effect_names[] = {{"gravity"},        {"springs"}, {"contacts"},  {"friction"},
+                                 {"restitution"},    {"ccd"},     {"joints"},    {"sensors"},
+                                 {"drag"},           {"wind"},    {"attractor"}, {"nbody"},
+                                 {"buoyancy"},       {"field"},   {"rocket"},    {"rolling_resistance"},
+                                 {"surface_speed"},  {"limits"},  {"motors"},    {"breakage"},
                                  {"sleeping", false}};
 
 void push_item(lua_State* state, const OverrideItem& item) {

@@ -26,6 +26,16 @@ void push_event(lua_State* state, const ContactEvent& event) {
   lua_setfield(state, -2, "impulse");
 }
 
+void push_event(lua_State* state, const BreakEvent& event) {
+  lua_createtable(state, 0, 3);
+  push_joint(state, event.joint);
+  lua_setfield(state, -2, "joint");
+  push_vector(state, event.point);
+  lua_setfield(state, -2, "point");
+  push_vector(state, event.reaction);
+  lua_setfield(state, -2, "reaction");
+}
+
 ContactEvent turned_round(const ContactEvent& event) {
   ContactEvent turned = event;
   turned.a = event.b;
@@ -110,6 +120,29 @@ void LuaScript::fire_due(lua_State* state) {
 }
 
 void LuaScript::after_step() {
+  tell_of_contacts();
+  tell_of_breaks();
+}
+
+void LuaScript::tell_of_breaks() {
+  if (model_.break_handlers.empty() || model_.simulation->break_events().empty()) return;
+  const std::vector<BreakEvent> events = model_.simulation->break_events();  // handlers change the simulation
+  turn(
+      Phase::acting, [] { return "a callback of on_break"; },
+      [&](lua_State* state) {
+        for (const BreakEvent& event : events) {
+          const std::size_t count = model_.break_handlers.size();
+          for (std::size_t i = 0; i < count; ++i) {
+            if (model_.break_handlers[i].joint != event.joint) continue;
+            push_function(state, model_.break_handlers[i].function);
+            push_event(state, event);
+            lua_call(state, 1, 0);
+          }
+        }
+      });
+}
+
+void LuaScript::tell_of_contacts() {
   if (model_.contact_handlers.empty() || model_.simulation->contact_events().empty()) return;
   const std::vector<ContactEvent> events = model_.simulation->contact_events();  // handlers change the simulation
   turn(

@@ -41,6 +41,8 @@ class LuaScript : public Script {
   void link_references();
   void check_expectations();
   void fire_due(lua_State* state);
+  void tell_of_contacts();
+  void tell_of_breaks();
   void tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event);
 
   Model model_;

@@ -208,6 +208,20 @@ TEST_CASE("A damped spring loses energy at the rate the damper takes it", "[join
   CHECK(simulation->body(BodyId{1}).position.x == Approx(x).margin(5e-4));
 }
 
+TEST_CASE("What hangs at rest on a damped spring hangs where its weight says", "[joint]") {
+  Scene scene;
+  scene.bodies = {body_with(disc_shape(0.1), {0, -1})};
+  scene.bodies[0].mass = 2;
+  JointDef spring = joint_between(JointKind::spring, BodyId::world, {0, 0}, BodyId{1}, {0, 0}, 1);
+  spring.stiffness = 200;
+  spring.damping = 40;
+  scene.joints = {spring};
+  auto simulation = simulate(scene);
+  run(*simulation, 5);
+  CHECK(simulation->body(BodyId{1}).position.y == Approx(-1 - 2 * g / 200).epsilon(pick(1e-9, 1e-5)));
+  CHECK(simulation->joint(JointId{0}).reaction.y == Approx(2 * g).epsilon(pick(1e-9, 1e-4)));
+}
+
 TEST_CASE("A removed joint lets go", "[joint]") {
   auto simulation = simulate(point_pendulum(pi / 2));
   simulation->apply(RemoveJoint{JointId{0}});

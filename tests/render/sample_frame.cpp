@@ -67,8 +67,12 @@ void add_engine_parts(Snapshot& snapshot) {
   for (const JointKind kind : {JointKind::revolute, JointKind::distance, JointKind::spring}) {
     const auto index = static_cast<std::uint32_t>(snapshot.joints.size());
     const double x = -1.0 + index;
-    snapshot.joints.push_back(
-        {static_cast<JointId>(index), kind, BodyId::world, static_cast<BodyId>(index + 11), {x, 4}, {x, 2.6}, {}, 0});
+    JointView& joint = snapshot.joints.emplace_back();
+    joint.id = static_cast<JointId>(index);
+    joint.kind = kind;
+    joint.b = static_cast<BodyId>(index + 11);
+    joint.anchor_a = {x, 4};
+    joint.anchor_b = {x, 2.6};
   }
 }
 

@@ -18,15 +18,8 @@ void check_unbuilt(const std::string& line, const std::string& name) {
 }  // namespace
 
 TEST_CASE("Words that are not built are refused by name") {
-  const std::string word = GENERATE("rope", "prismatic", "weld", "wheel", "gear", "pulley", "drag_to", "motor",
-                                    "on_break", "on_sleep", "ghost", "freeze", "section");
+  const std::string word = GENERATE("on_sleep", "ghost", "freeze", "section");
   check_unbuilt(word + "{b}", word);
-}
-
-TEST_CASE("Keys that are not built are refused by name") {
-  check_unbuilt("revolute{world, b, at={0,0}, limits={-1, 1}}", "limits");
-  check_unbuilt("revolute{world, b, at={0,0}, motor={speed=1}}", "motor");
-  check_unbuilt("revolute{world, b, at={0,0}, break_force=1}", "break_force");
 }
 
 TEST_CASE("Methods of bodies that are not built are refused by name") {
@@ -42,7 +35,6 @@ TEST_CASE("Ways of solving and effects that are not built are refused by name") 
       {"method={contact_solver='event'}", "event"},
       {"method={joint_solver='iterative'}", "iterative"},
       {"effects={'sleeping'}", "sleeping"},
-      {"effects={'motors'}", "motors"},
   }));
   CHECK_THAT(
       error_of("scenario{" + key + "}"),

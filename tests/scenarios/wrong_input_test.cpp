@@ -221,7 +221,8 @@ TEST_CASE("Texts that could not be shown are refused") {
 TEST_CASE("An integrator that cannot step the scene is refused, also when a callback makes it so") {
   const std::string rk4 = "scenario{method={integrator='rk4'}} body{shape=circle{radius=1}} ";
   CHECK(error_of(rk4).empty());
-  CHECK_THAT(error_of(rk4 + "body{at={3, 0}, shape=circle{radius=1}}"), Contains("integrator \"rk4\" cannot step bodies"));
+  CHECK_THAT(error_of(rk4 + "body{at={3, 0}, shape=circle{radius=1}}"),
+             Contains("integrator \"rk4\" cannot step bodies"));
   CHECK_THAT(error_of(rk4 + "at(0.1, function() body{at={3, 0}, shape=circle{radius=1}} end)"),
              Contains("integrator \"rk4\" cannot step bodies"));
 }

@@ -1,0 +1,163 @@
+// The position stage of a group: velocities that lead onto the joints.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/joint_group.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// Newton's iterations for the positions converge quadratically at first and then at the rate the bodies turn per
+/// substep; two or three are the rule.
+constexpr int max_newton_steps = 12;
+/// What Newton's method may leave open, relative to the row's scale, and still count as having arrived.
+constexpr real good_enough = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-5);
+/// A joint that starts torn is closed at this many times its own size per second, gently instead of within one substep.
+constexpr real closing_rate = 4;
+
+}  // namespace
+
+void JointGroup::set_goals(const JointedBodies& scene, real h) {
+  JointPlace place;
+  const Joint* placed = nullptr;
+  for (Row& row : rows_) {
+    const Joint& joint = scene.joints[row.joint];
+    if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
+    placed = &joint;
+    const real now = value_of(row, place, scene, 0);
+    const real most = closing_rate * joint.size * h;
+    const bool free_to_part = row.plan.bound == Bound::at_least && now > 0;
+    row.goal = std::abs(now) > most && !free_to_part ? now - std::copysign(most, now) : 0;
+  }
+}
+
+/// Puts into the right side by how much each row would miss its goal after drifting for `h`; the largest miss of those
+/// that hold comes back, in units of its scale.
+real JointGroup::predict(const JointedBodies& scene, real h) {
+  real worst = 0;
+  JointPlace place;
+  const Joint* placed = nullptr;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    Row& row = rows_[r];
+    right_side_[r] = 0;
+    if (row.plan.bound == Bound::driven) continue;
+    const Joint& joint = scene.joints[row.joint];
+    if (placed != &joint) {
+      Motion a = scene.motions[joint.body_a];
+      Motion b = scene.motions[joint.body_b];
+      drift(a, h);
+      drift(b, h);
+      place = place_of(joint, scene.bodies, a, b);
+    }
+    placed = &joint;
+    row.miss = value_of(row, place, scene, h) - row.goal;
+    if (!row.on) continue;
+    right_side_[r] = -row.miss / h;
+    worst = std::max(worst, std::abs(row.miss) / row.scale);
+  }
+  return worst;
+}
+
+/// Newton's method with the directions at the start of the substep. False where it does not arrive.
+bool JointGroup::iterate(const JointedBodies& scene, real h) {
+  real miss = predict(scene, h);
+  for (int step = 0; step < max_newton_steps && miss > row_tolerance; ++step) {
+    matrix_.solve(right_side_);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      if (!rows_[r].on) continue;
+      memory(rows_[r], scene).impulse += right_side_[r];
+      apply(rows_[r], right_side_[r], scene);
+    }
+    const real next = predict(scene, h);
+    if (!(next < miss)) break;
+    miss = next;
+  }
+  return miss <= good_enough;
+}
+
+void JointGroup::solve_positions(const JointedBodies& scene, real h) {
+  set_goals(scene, h);
+  stale_ |= strained_;
+  strained_ = false;
+  prepare(scene, false);
+  bool arrived = iterate(scene, h);
+  for (int round = 1; one_sided_ > 0 && round < most_rounds(one_sided_); ++round) {
+    if (!settle_positions(scene, round > rounds_together)) break;
+    assemble(scene.motions);
+    arrived = iterate(scene, h);
+  }
+  if (!arrived) close_gently(scene, h);
+  if (driven_ > 0) book_begun(scene);
+}
+
+/// One-sided rows that pull let go, those that would be overrun hold. False when none had to change.
+bool JointGroup::settle_positions(const JointedBodies& scene, bool one_at_a_time) {
+  bool changed = false;
+  for (Row& row : rows_) {
+    if (row.plan.bound != Bound::at_least || (changed && one_at_a_time)) continue;
+    RowMemory& kept = memory(row, scene);
+    if (row.on ? kept.impulse >= 0 : row.miss >= -row_tolerance * row.scale) continue;
+    if (row.on) apply(row, -kept.impulse, scene);
+    kept.impulse = 0;
+    kept.engaged = row.on = !row.on;
+    changed = true;
+  }
+  return changed;
+}
+
+bool JointGroup::has_mover(const JointedBodies& scene) const {
+  const auto moves = [&](BodyIndex i) {
+    const Motion& m = scene.motions[i];
+    return scene.bodies[i].type == BodyType::kinematic && (!(m.velocity == Vec2{}) || m.spin != 0);
+  };
+  return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    const Term* terms = row.terms.terms;
+    return std::any_of(terms, terms + row.terms.count,
+                       [&](const Term& t) { return moves(t.body_a) || moves(t.body_b); });
+  });
+}
+
+/// Where joints contradict each other (a chain pulled straight between two walls) no impulses lead to a solution, and
+/// looking for one would only throw the bodies about: then the joints are closed at a bounded speed instead.
+void JointGroup::close_gently(const JointedBodies& scene, real h) {
+  for (Row& row : rows_) {
+    if (row.plan.bound == Bound::driven) continue;
+    real& impulse = memory(row, scene).impulse;
+    apply(row, -impulse, scene);
+    impulse = 0;
+  }
+  strained_ = has_mover(scene);
+  if (strained_) assemble(scene.motions);
+  do {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const Row& row = rows_[r];
+      const Joint& joint = scene.joints[row.joint];
+      const real open = value_of(row, place_of(joint, scene.bodies, scene.motions), scene, 0);
+      const real most = closing_rate * joint.size;
+      const real closing = std::clamp(real(0.1) * open / h, -most, most);
+      right_side_[r] = row.on ? -speed_of_row(row, scene.motions) - closing : 0;
+    }
+    matrix_.solve(right_side_);
+  } while (drop_pulling_rows(scene));
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    if (rows_[r].on) apply(rows_[r], right_side_[r], scene);
+  }
+}
+
+/// Rows leave and none comes back, so that this ends.
+bool JointGroup::drop_pulling_rows(const JointedBodies& scene) {
+  bool changed = false;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    Row& row = rows_[r];
+    if (row.plan.bound != Bound::at_least || !row.on || right_side_[r] >= 0) continue;
+    memory(row, scene).engaged = row.on = false;
+    changed = true;
+  }
+  if (changed) assemble(scene.motions);
+  return changed;
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

@@ -1,0 +1,86 @@
+#pragma once
+
+/// Every rigid joint comes down to rows: one row is one number with a bound on the force that keeps it, so that one
+/// solver serves all joints.
+///
+/// A row's number C (its coordinate) changes at the rate dC/dt = J v, linear in the velocities of the bodies; its
+/// impulse lambda pushes them by M^-1 J^T lambda, along the very same directions, so that it does no work as long as C
+/// stays (d'Alembert 1743). Three bounds are enough:
+///   equal     C = 0, lambda as it comes:      pins, rods, rails, gears
+///   at_least  C >= 0, lambda >= 0, and one of the two is 0 (Signorini 1933):      stops, ropes
+///   driven    J v = speed, |lambda| <= strongest * time:      motors, which steer velocities and never positions
+
+#include "engine/joint.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+/// The numbers that rows keep.
+enum class Coordinate : std::uint8_t {
+  anchor_x,  ///< of the gap between the anchors, m
+  anchor_y,
+  stretch,    ///< distance of the anchors, m
+  across,     ///< of the gap, across the axis of a, m
+  along,      ///< of the gap, along the axis of a, m
+  turn,       ///< angle of b against a, rad
+  carried_x,  ///< only a speed: of b's centre as seen from a, m/s
+  carried_y,
+  geared,  ///< two other joints' coordinates, coupled
+  roped    ///< two ropes' lengths, coupled, m
+};
+
+enum class Bound : std::uint8_t { equal, at_least, driven };
+
+/// What a joint asks of the solver: sign * (coordinate - offset) is kept within its bound.
+struct RowPlan {
+  Coordinate coordinate{};
+  Bound bound = Bound::equal;
+  real sign = 1;
+  real offset = 0;
+};
+
+/// The joint's rows in a fixed order. Stops and motors only where they are wanted.
+struct RowsWanted {
+  bool limits = true;
+  bool motors = true;
+};
+std::vector<RowPlan> plan_rows(const Joint& joint, RowsWanted wanted);
+
+/// One pair of bodies in a row: it sees b move against a along `direction`, and turn.
+struct Term {
+  BodyIndex body_a = 0;
+  BodyIndex body_b = 0;
+  Vec2 direction;  ///< of the force on b
+  real arm_a = 0;  ///< torque about the centre of mass per unit of force, a's with the opposite sign
+  real arm_b = 0;
+};
+
+inline real speed_of(const Term& t, const std::vector<Motion>& motions) {
+  const Motion& a = motions[t.body_a];
+  const Motion& b = motions[t.body_b];
+  return dot(b.velocity - a.velocity, t.direction) + t.arm_b * b.spin - t.arm_a * a.spin;
+}
+
+inline void push(const Term& t, real impulse, std::vector<Motion>& motions) {
+  Motion& a = motions[t.body_a];
+  Motion& b = motions[t.body_b];
+  a.velocity -= impulse * a.inv_mass * t.direction;
+  a.spin -= impulse * a.inv_inertia * t.arm_a;
+  b.velocity += impulse * b.inv_mass * t.direction;
+  b.spin += impulse * b.inv_inertia * t.arm_b;
+}
+
+/// The pairs of bodies a coordinate sees: one, but for gears and pulleys.
+struct Terms {
+  Term terms[2];
+  int count = 1;
+};
+
+/// dC/dt of a coordinate, from where the joint stands.
+Terms terms_of(Coordinate coordinate, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
+
+/// The bodies its terms move, without looking where they are.
+Terms bodies_of(const Joint& joint, const std::vector<Joint>& joints);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
