@@ -27,7 +27,7 @@ void JointGroup::set_goals(const JointedBodies& scene, real h) {
     if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
     placed = &joint;
     const real now = value_of(row, place, scene, 0);
-    const real most = closing_rate * joint.size * h;
+    const real most = closing_rate * joint.size * std::abs(h);  // suzuki4 steps backwards, too
     const bool free_to_part = row.plan.bound == Bound::at_least && now > 0;
     row.goal = std::abs(now) > most && !free_to_part ? now - std::copysign(most, now) : 0;
   }

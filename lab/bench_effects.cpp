@@ -27,9 +27,9 @@ std::map<std::string, double> committed_slopes() {
 void print_row(const std::string& name, double measured, const std::map<std::string, double>& committed) {
   const auto known = committed.find(name);
   if (known == committed.end()) {
-    std::printf("  %-18s %9.2f  not committed\n", name.c_str(), measured);
+    std::printf("  %-20s %9.2f  not committed\n", name.c_str(), measured);
   } else {
-    std::printf("  %-18s %9.2f  %9.2f  %+.2f\n", name.c_str(), measured, known->second, measured - known->second);
+    std::printf("  %-20s %9.2f  %9.2f  %+.2f\n", name.c_str(), measured, known->second, measured - known->second);
   }
 }
 
@@ -38,7 +38,7 @@ void print_row(const std::string& name, double measured, const std::map<std::str
 void bench_effects() {
   const std::map<std::string, double> committed = committed_slopes();
   std::printf("  instructions per body and substep (double; valgrind)\n");
-  std::printf("  %-18s %9s  %9s  change\n", "effect", "measured", "committed");
+  std::printf("  %-20s %9s  %9s  change\n", "effect", "measured", "committed");
   print_row("by hand", effect_cost("by hand"), committed);
   for (const EffectScene& scene : effect_scenes()) print_row(scene.name, effect_cost(scene.name), committed);
 }

@@ -104,13 +104,71 @@ Scene set_for_all(Scene scene, FrictionDef friction, double restitution) {
 Scene rubbing(int bodies) { return set_for_all(at_rest(bodies), {0.5, 0.5}, 0); }
 Scene springy(int bodies) { return set_for_all(at_rest(bodies), {0, 0}, 0.5); }
 
+Scene resisting(int bodies) {
+  Scene scene = rubbing(bodies);
+  for (BodyDef& body : scene.bodies) {
+    for (ShapeDef& shape : body.shapes) shape.rolling_resistance = 0.01;
+  }
+  return scene;
+}
+
+Scene on_belts(int bodies) {
+  Scene scene = rubbing(bodies);
+  for (ShapeDef& slab : scene.bodies.back().shapes) slab.surface_speed = -0.2;
+  return scene;
+}
+
+Scene floating(int bodies) {
+  Scene scene = discs(bodies);
+  scene.water = WaterDef{0, 3, 0.5};
+  return scene;
+}
+
+Scene in_a_field(int bodies) {
+  Scene scene = discs(bodies);
+  scene.fields.emplace_back([](Vec2d, Vec2d velocity, double) { return Vec2d{2 * velocity.y, -2 * velocity.x}; });
+  return scene;
+}
+
+/// Each disc on a hinge a metre above it.
+Scene hinged(int bodies) {
+  Scene scene = on_springs(bodies);
+  for (JointDef& joint : scene.joints) {
+    joint.kind = JointKind::revolute;
+    joint.anchor_b = {0, 1};
+  }
+  return scene;
+}
+
+Scene stopped(int bodies) {
+  Scene scene = hinged(bodies);
+  for (JointDef& joint : scene.joints) joint.limits = LimitsDef{-0.02, 0.02};
+  return scene;
+}
+
+Scene driven(int bodies) {
+  Scene scene = hinged(bodies);
+  for (JointDef& joint : scene.joints) joint.motor = MotorDef{1, 100};
+  return scene;
+}
+
+Scene breakable(int bodies) {
+  Scene scene = hinged(bodies);
+  for (JointDef& joint : scene.joints) joint.break_force = 1e6;
+  return scene;
+}
+
 }  // namespace
 
 const std::vector<EffectScene>& effect_scenes() {
   static const std::vector<EffectScene> scenes{
-      {"nothing", weightless}, {"gravity", discs},       {"gravity, turning", spinning}, {"drag", dragged},
-      {"wind", blown},         {"attractor", attracted}, {"springs", on_springs},        {"joints", on_pins},
-      {"contacts", at_rest},   {"friction", rubbing},    {"restitution", springy}};
+      {"nothing", weightless},     {"gravity", discs},       {"gravity, turning", spinning},
+      {"drag", dragged},           {"wind", blown},          {"attractor", attracted},
+      {"springs", on_springs},     {"joints", on_pins},      {"contacts", at_rest},
+      {"friction", rubbing},       {"restitution", springy}, {"rolling_resistance", resisting},
+      {"surface_speed", on_belts}, {"buoyancy", floating},   {"field", in_a_field},
+      {"hinges", hinged},          {"limits", stopped},      {"motors", driven},
+      {"breakage", breakable}};
   return scenes;
 }
 

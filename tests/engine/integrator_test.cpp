@@ -112,6 +112,64 @@ TEST_CASE("Every integrator converges at its order on a spring and on an ellipse
   }
 }
 
+TEST_CASE("A pendulum on a rigid rod converges at order 2 under verlet and 4 under suzuki4", "[integrator]") {
+  if (sizeof(real) < sizeof(double)) return;
+  const auto place = [](Integrator integrator, int rate) {
+    Scene scene = weightless(integrator, rate);
+    scene.gravity = {0, -9.81};
+    scene.bodies = {point_mass({std::sqrt(0.75), -0.5}, {0, 0})};  // 60 degrees from the vertical
+    JointDef rod;
+    rod.kind = JointKind::distance;
+    rod.b = BodyId{1};
+    rod.length = 1;
+    scene.joints = {rod};
+    return place_after(scene, 10);
+  };
+  for (const auto& [integrator, order] : {std::pair(Integrator::verlet, 2), std::pair(Integrator::suzuki4, 4)}) {
+    const int rate = order == 2 ? 400 : 100;
+    const Vec2d coarse = place(integrator, rate);
+    const Vec2d middle = place(integrator, 2 * rate);
+    const Vec2d fine = place(integrator, 4 * rate);
+    CAPTURE(order, length(fine - middle));
+    CHECK(std::log2(length(middle - coarse) / length(fine - middle)) == Approx(order).margin(0.15));
+    CHECK(length(fine) == Approx(1).margin(1e-11));
+  }
+}
+
+TEST_CASE("A charge in a magnetic field goes round in a circle under every integrator that takes fields",
+          "[integrator]") {
+  for (const Integrator integrator :
+       {Integrator::verlet, Integrator::rk4, Integrator::implicit_midpoint, Integrator::gauss_legendre6}) {
+    Scene scene = weightless(integrator, 480);
+    scene.bodies = {point_mass({0, 0}, {1, 0})};
+    scene.fields.emplace_back([](Vec2d, Vec2d v, double) { return Vec2d{2 * v.y, -2 * v.x}; });
+    const Vec2d place = place_after(scene, 1);  // radius 1/2, angular speed 2, clockwise
+    CHECK(place.x == Approx(0.5 * std::sin(2.0)).margin(pick(1e-5, 1e-4)));
+    CHECK(place.y == Approx(0.5 * std::cos(2.0) - 0.5).margin(pick(1e-5, 1e-4)));
+  }
+}
+
+TEST_CASE("A constant field's work is booked to the last digits by smooth integrators", "[integrator]") {
+  Scene scene = weightless(Integrator::gauss_legendre6, 60);
+  scene.bodies = {point_mass({0, 0}, {1, 0})};
+  scene.fields.emplace_back([](Vec2d, Vec2d, double time) { return Vec2d{3 * time, 1}; });
+  const auto simulation = simulate(scene);
+  const double before = simulation->energy().total();
+  run(*simulation, 2, 60);
+  const Energy after = simulation->energy();
+  CHECK(after.total() - after.booked_work == Approx(before).margin(pick(1e-10, 1e-3)));
+  CHECK(simulation->body(BodyId{1}).velocity.x == Approx(7).margin(pick(1e-11, 1e-3)));
+}
+
+TEST_CASE("What floats, floats at its draught under rk4 as well", "[integrator]") {
+  Scene scene = weightless(Integrator::rk4, 240);
+  scene.gravity = {0, -9.81};
+  scene.bodies = {body_with(box_shape(1, 1), {0, 0})};
+  scene.bodies[0].shapes[0].density = 500;
+  scene.water = WaterDef{0, 1000, 3000};
+  CHECK(place_after(scene, 10).y == Approx(0).margin(pick(1e-9, 1e-4)));
+}
+
 TEST_CASE("All integrators find the oscillator where it is", "[integrator]") {
   for (const Integrator integrator : all_integrators)
     CHECK(oscillator_error(integrator, 2400) < (integrator == Integrator::symplectic_euler ? 2e-2 : 1e-3));
