@@ -60,7 +60,10 @@ void World::advance_smoothly(real h) {
     ++drifts_;
   });
   for (Joint& joint : joints_) {
-    if (is_spring(joint)) joint.impulse += h * pull_of(joint, bodies_, motions_).force;
+    if (!is_spring(joint)) continue;
+    const Vec2 impulse = h * pull_of(joint, bodies_, motions_).force;
+    joint.impulse += impulse;
+    joint.soft_impulse += impulse;
   }
 }
 

@@ -18,6 +18,7 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
   if (shows(Layer::bodies)) draw_bodies(stage, true);
   if (shows(Layer::trails)) draw_trails(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, false);
+  draw_water_line(stage);
   if (shows(Layer::parts)) draw_parts(stage);
   if (shows(Layer::bvh)) draw_tree(stage);
   if (shows(Layer::aabbs)) draw_boxes(stage);

@@ -48,6 +48,8 @@ void draw_grid(const Stage& stage);
 void draw_grid_numbers(const Stage& stage, Cards& cards);
 /// Everything below the surface, where bodies float: quiet, behind all that moves.
 void draw_water(const Stage& stage);
+/// The surface again, over the bodies: how deep they lie is what one looks for.
+void draw_water_line(const Stage& stage);
 void draw_bodies(const Stage& stage, bool fixed_ones);
 /// Where the bodies of several shapes are put together: concave outlines show the convex parts they were cut into.
 void draw_parts(const Stage& stage);

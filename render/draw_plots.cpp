@@ -35,8 +35,9 @@ Range value_range(const PlotView& plot, int most_ticks) {
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   if (range.low > 0 && range.low < 0.5 * range.high) range.low = 0;
   if (range.high < 0 && range.high > 0.5 * range.low) range.high = 0;
-  const double least = size > 0 ? 1e-6 * size : 1;
-  if (range.high - range.low < least) range = {range.low - least, range.high + least};
+  // A curve that is flat so far, or only begins, gets room around it instead of an axis of its last digits.
+  if (size == 0) return {0, 1};
+  if (range.high - range.low <= 1e-6 * size) range = {range.low - 0.1 * size, range.high + 0.1 * size};
   const double step = ticks_in(range.low, range.high, most_ticks).step;
   return {std::floor(range.low / step + 1e-9) * step, std::ceil(range.high / step - 1e-9) * step};
 }

@@ -36,15 +36,19 @@ void draw_revolute(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b)
   draw_pivot(stage, 0.5 * (a + b), joint.a == BodyId::world || joint.b == BodyId::world);
 }
 
+/// A pivot where the world holds it, else a dot.
+void draw_held_end(const Stage& stage, BodyId body, Vec2d at) {
+  if (body == BodyId::world) {
+    draw_pivot(stage, at, true);
+  } else {
+    draw_end(stage, at);
+  }
+}
+
 void draw_rod(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
   stage.canvas.line(a, b, line_px(stage), stage.palette.joint);
-  for (const auto& [id, at] : {std::pair{joint.a, a}, std::pair{joint.b, b}}) {
-    if (id == BodyId::world) {
-      draw_pivot(stage, at, true);
-    } else {
-      draw_end(stage, at);
-    }
-  }
+  draw_held_end(stage, joint.a, a);
+  draw_held_end(stage, joint.b, b);
 }
 
 /// Always as many coils, so that stretching shows as coils further apart.
@@ -95,27 +99,44 @@ void draw_weld(const Stage& stage, Vec2d at) {
   }
 }
 
-/// The suspension from the chassis to the wheel, and the wheel's pin.
+/// The suspension from as high as the middle of the chassis down to the wheel, and the wheel's pin.
 void draw_wheel(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
-  const Vec2d top = a + (axis_px(joint).y > 0 ? -1.7 : 1.7) * reach_px(stage) * axis_px(joint);
-  draw_spring(stage, top, b, 7);
+  const Vec2d axis = axis_px(joint);
+  const BodyView* chassis = find_body(stage.frame.snapshot, joint.a);
+  const Vec2d middle = chassis != nullptr ? stage.camera.to_px(chassis->state.center) : a;
+  draw_spring(stage, a + dot(middle - a, axis) * axis, b, 7);
   draw_pivot(stage, b, false);
 }
 
-/// A rope that is longer than its span hangs in a parabola: its length is span + 8/3 sag^2 / span while it is flat.
-void draw_rope(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+/// A parabola from a to b that hangs `sag` pixels below the line between them.
+std::vector<Vec2d> hanging(Vec2d a, Vec2d b, double sag) {
   constexpr int parts = 24;
-  const double span = distance(a, b);
-  const double spare = std::max(0.0, stage.camera.px(joint.length) - span);
-  const double sag = std::min(std::sqrt(0.375 * spare * std::max(span, spare)), 0.5 * (span + spare));
   std::vector<Vec2d> points;
   for (int i = 0; i <= parts; ++i) {
     const double t = static_cast<double>(i) / parts;
     points.push_back(lerp(a, b, t) + Vec2d{0, 4 * t * (1 - t) * sag});
   }
-  stage.canvas.stroke(points, 0.8 * line_px(stage), stage.palette.joint, stage.palette.joint);
-  draw_end(stage, a);
-  draw_end(stage, b);
+  return points;
+}
+
+double length_of(const std::vector<Vec2d>& points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+  return sum;
+}
+
+/// A rope keeps its length, so the sag is found by bisection.
+void draw_rope(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  const double whole = stage.camera.px(joint.length);
+  double least = 0;
+  double most = whole;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (least + most);
+    (length_of(hanging(a, b, middle)) < whole ? least : most) = middle;
+  }
+  stage.canvas.stroke(hanging(a, b, least), 0.8 * line_px(stage), stage.palette.joint, stage.palette.joint);
+  draw_held_end(stage, joint.a, a);
+  draw_held_end(stage, joint.b, b);
 }
 
 void draw_pulley(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
@@ -142,7 +163,7 @@ void draw_gear(const Stage& stage, Vec2d a, Vec2d b) {
 
 /// A thin line to a target of cross hairs.
 void draw_pull(const Stage& stage, Vec2d target, Vec2d at) {
-  const double arm = std::max(4.0, 9 * stage.sizes.unit);
+  const double arm = std::max(5.0, 14 * stage.sizes.unit);
   const double width = 0.6 * line_px(stage);
   stage.canvas.line(at, target, width, stage.palette.joint);
   stage.canvas.line(target - Vec2d{arm, 0}, target + Vec2d{arm, 0}, width, stage.palette.joint);

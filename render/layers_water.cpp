@@ -11,9 +11,15 @@ void draw_water(const Stage& stage) {
   if (surface >= picture.upper.y) return;
   const Vec2d corner{0, std::max(surface, 0.0)};
   stage.canvas.rectangle(corner, picture.upper, 0, {stage.palette.water, stage.palette.water, 0});
-  if (surface < 0) return;
+}
+
+void draw_water_line(const Stage& stage) {
+  if (!stage.frame.snapshot.water_level) return;
+  const Aabbd picture = stage.picture();
+  const double surface = stage.camera.to_px({0, *stage.frame.snapshot.water_level}).y;
+  if (surface < 0 || surface >= picture.upper.y) return;
   const Color line = stage.palette.water_line;
-  stage.canvas.rectangle(corner, {picture.upper.x, surface + stage.sizes.outline}, 0, {line, line, 0});
+  stage.canvas.rectangle({0, surface}, {picture.upper.x, surface + stage.sizes.outline}, 0, {line, line, 0});
 }
 
 }  // namespace proofreel

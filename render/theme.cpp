@@ -62,7 +62,7 @@ const Palette print_palette{
     .plate_edge = rgb(0x9A9A9A),
     .grid = rgb(0xE6E6E6),
     .grid_axis = rgb(0xBDBDBD),
-    .water = rgb(0xA8A8A8, 70),
+    .water = rgb(0xA8A8A8, 35),
     .water_line = rgb(0x6E6E6E),
     .dynamic = tone(0xE2E2E2, 0x1E1E1E),
     .kinematic = tone(0xB8B8B8, 0x1E1E1E),

@@ -1,6 +1,6 @@
 -- Parcels ride down three belts. Each is caught by friction, gains mu g, and then rides along without slip.
 scenario {
-  title = "Conveyor belts", duration = 17, view = { center = {0, 3.3}, height = 9 },
+  title = "Conveyor belts", duration = 17, view = { center = {3.0, 2.9}, height = 8.2 },
   description = "Surfaces that move: boxes and balls are taken along, and what the belts' motors do is booked as work.",
   layers = { "bodies" }, golden = { frames = { 0, 120, 400, 1019 } },
 }
@@ -10,6 +10,10 @@ local speed, mu = 2, 0.5
 local function belt(name, x, y, surface_speed)
   body { name = name, type = "static", at = {x, y}, friction = mu, surface_speed = surface_speed,
          shape = capsule { a = {-2.3, 0}, b = {2.3, 0}, radius = 0.15 } }
+  for _, end_x in ipairs { -2.3, 0, 2.3 } do     -- the rollers show which way it runs
+    body { name = name .. " roller", type = "kinematic", at = { x + end_x, y }, spin = surface_speed / 0.15, sensor = true,
+           shape = circle { radius = 0.15 } }
+  end
 end
 belt("upper belt", -1.6, 4.4, -speed)
 belt("middle belt", 1.6, 2.9, speed)

@@ -1,8 +1,8 @@
 -- A mass spectrometer: a magnetic field, always across the motion, bends light ions more than heavy ones.
 scenario {
-  title = "Mass spectrometer", duration = 4, view = { center = {3.4, 0.7}, height = 7.4 }, gravity = {0, 0},
+  title = "Mass spectrometer", duration = 4, view = { center = {2.75, 0.7}, height = 6.6 }, gravity = {0, 0},
   description = "A force field written in Lua: F = q B v, across the motion. Each ion lands 2 m v / (q B) away.",
-  layers = { "bodies", "trails", "labels", "vectors" }, golden = { frames = { 0, 60, 120, 239 } }, theme = "dark",
+  layers = { "bodies", "trails", "labels" }, golden = { frames = { 0, 60, 120, 239 } }, theme = "dark",
 }
 
 local qB, v = 2, 3                                          -- N s/m, m/s
@@ -12,12 +12,12 @@ field(function(x, y, vx, vy)
 end)
 
 body { name = "wall", type = "static", at = {-1.35, -0.15}, shape = box { width = 2.1, height = 0.3 } }
-body { name = "detector", type = "static", at = {4.45, -0.15}, friction = 1, shape = box { width = 8.3, height = 0.3 } }
+body { name = "detector", type = "static", at = {3.85, -0.15}, friction = 1, shape = box { width = 7.1, height = 0.3 } }
 
 local ions = {}
 for i, mass in ipairs { 0.5, 1, 1.5, 2 } do
   local ion = body { name = ("m = %g"):format(mass), at = {0, -0.25 - 0.35 * i}, velocity = {0, v}, mass = mass,
-                     group = -1, friction = 1, fixed_rotation = true, shape = circle { radius = 0.1 } }
+                     group = -1, friction = 1, fixed_rotation = true, shape = circle { radius = 0.1 }, color = ({0xF2CF5B, 0x6FE3C1, 0x5FA3DE, 0xC9A8FF})[i] }
   label { body = ion, text = ("%g kg"):format(mass) }
   trail { body = ion, seconds = 4 }
   ions[i] = { handle = ion, mass = mass, diameter = 2 * mass * v / qB }

@@ -1,8 +1,8 @@
--- Atwood's machine (1784): two weights on one rope over two pins, and a rope that runs twice on one side.
+-- Atwood's machine (1784): two weights on one rope over two pins.
 scenario {
   title = "Atwood's machine",
   description = "Two weights on a rope fall at g (m1 - m2) / (m1 + m2), slowly enough to be measured by eye.",
-  duration = 1.4, view = { center = {0, 0.95}, height = 4.6 },
+  duration = 1.4, view = { center = {0.9, 0.8}, height = 5 },
   layers = { "bodies", "joints", "vectors", "labels" },
   golden = { frames = { 0, 42, 83 } },
 }
@@ -28,3 +28,5 @@ label { body = left, text = "3 kg" }
 label { body = right, text = "2 kg" }
 vector { body = left, of = "velocity", scale = 0.3 }
 vector { body = right, of = "velocity", scale = 0.3 }
+plot { title = "Speed (m/s)", seconds = 1.4, at = "top_right", y = { ["3 kg, down"] = function() return -left:velocity().y end } }
+caption { text = "a = g (3 − 2) / (3 + 2) = g / 5" }

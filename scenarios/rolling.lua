@@ -1,6 +1,6 @@
 -- How far does it roll? Rolling resistance is a lever r: the ground brakes with a torque of r times the normal force.
 scenario {
-  title = "Rolling resistance", duration = 10, view = { center = {5.4, 2.3}, height = 6.9 },
+  title = "Rolling resistance", duration = 10, view = { center = {5.15, 2.1}, height = 7 },
   description = "Four equal discs, four levers: each stops after v^2 / (2a) with a = g (r/R) / (1 + I / (m R^2)).",
   layers = { "bodies", "labels", "trails" }, golden = { frames = { 0, 120, 300, 599 } },
 }
@@ -14,6 +14,7 @@ for i, r in ipairs { 0.01, 0.014, 0.02, 0.04 } do
                       shape = circle { radius = R }, friction = 0.5, rolling_resistance = r }
   label { body = disc, text = ("r = %g mm"):format(1000 * r) }
   trail { body = disc, seconds = 10 }
+  body { name = "mark", type = "static", at = { v * v / (2 * 9.81 * (r / R) / 1.5), y - 0.17 }, shape = box { width = 0.06, height = 0.26 } }
   lanes[i] = { disc = disc, a = 9.81 * (r / R) / 1.5, name = ("way at r = %g mm"):format(1000 * r) }
 end
 
@@ -34,4 +35,4 @@ expect("all stand still in the end", function()
   end
   return true
 end)
-caption { text = "Each is slowed evenly, by g (r/R) / (1 + I / (m R²))", from = 0, to = 10 }
+caption { text = "Slowed evenly by 2/3 g r/R, each stops above its mark", from = 0, to = 10 }

@@ -2,7 +2,7 @@
 scenario {
   title = "Caught by a rope",
   description = "While the rope is slack the ball falls freely; taut, the rope is a rod that cannot push.",
-  duration = 6, view = { center = {0, -0.75}, height = 3.2 },
+  duration = 6, view = { center = {0, -0.75}, height = 2.9 },
   layers = { "bodies", "joints", "trails" },
   golden = { frames = { 0, 20, 60, 359 } },
 }
@@ -22,3 +22,7 @@ expect("until the rope is taut the ball falls freely", function()
 end, { at = 0.5 })
 expect("at the end the ball swings on the taut rope", function() return math.abs(reach() - reach_of_rope) < 1e-9 end)
 trail { body = ball, seconds = 1.5 }
+body { name = "beam", type = "static", at = {0, 0.05}, shape = box { width = 0.8, height = 0.1 }, group = -1 }
+plot { title = "Tension (N)", seconds = 6, at = "top_right", y = { tension = function() local f = tie:reaction() return math.sqrt(f.x ^ 2 + f.y ^ 2) end } }
+caption { text = "Slack: the ball falls freely", from = 0, to = 0.65 }
+caption { text = "Taut: it swings like a pendulum", from = 0.65 }

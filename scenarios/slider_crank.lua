@@ -2,15 +2,15 @@
 scenario {
   title = "Slider and crank",
   description = "A turning crank drives a piston: three hinges and a rail in a closed loop, exact to the last digits.",
-  duration = 5, view = { center = {0.75, 0.1}, height = 2.6 },
+  duration = 5, view = { center = {0.8, 0.25}, height = 2 },
   layers = { "bodies", "joints", "trails" },
   golden = { frames = { 0, 40, 299 } },
 }
 
 local r, l = 0.4, 1.3
-local crank = body { name = "crank", at = { r / 2, 0 }, shape = box { width = r, height = 0.1, rounding = 0.04 }, density = 8, group = -1 }
-local rod = body { name = "rod", at = { r + l / 2, 0 }, shape = box { width = l, height = 0.07, rounding = 0.03 }, density = 4, group = -1 }
-local piston = body { name = "piston", at = { r + l, 0 }, shape = box { width = 0.34, height = 0.4 }, density = 4, group = -1 }
+local crank = body { name = "crank", at = { r / 2, 0 }, shape = capsule { a = {-r / 2, 0}, b = {r / 2, 0}, radius = 0.06 }, density = 8, group = -1 }
+local rod = body { name = "rod", at = { r + l / 2, 0 }, shape = capsule { a = {-l / 2, 0}, b = {l / 2, 0}, radius = 0.04 }, density = 4, group = -1 }
+local piston = body { name = "piston", at = { r + l, 0 }, shape = box { width = 0.34, height = 0.43 }, density = 4, group = -1 }
 for _, side in ipairs { -1, 1 } do
   body { name = "cylinder", type = "static", at = { 1.4, side * 0.26 }, shape = box { width = 1.3, height = 0.08 }, group = -1 }
 end
@@ -35,3 +35,4 @@ end, { always = true })
 expect("the crank turns once a second", function() return math.abs(crank:spin() - 2 * math.pi) < 1e-3 end)
 trail { body = rod, seconds = 0.8 }
 plot { title = "Piston (m)", seconds = 3, at = "top_right", y = { x = function() return piston:position().x end } }
+caption { text = "One turn of the crank is one stroke there and back" }

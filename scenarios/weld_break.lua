@@ -2,8 +2,8 @@
 scenario {
   title = "The last straw",
   description = "A weld bears 140 N: it holds the shelf and the filling bucket until their weight is just above that.",
-  duration = 5, view = { center = {0.7, 1.2}, height = 3.4 },
-  layers = { "bodies", "joints", "labels" },
+  duration = 5, view = { center = {1.7, 1.5}, height = 4.3 },
+  layers = { "bodies", "joints" },
   golden = { frames = { 0, 180, 225, 299 } },
 }
 
@@ -21,8 +21,8 @@ every(0.05, function()
 end)
 on_break(bond, function(e)
   broke_at, pulled = time(), math.sqrt(e.reaction.x ^ 2 + e.reaction.y ^ 2)
+  caption { text = "Loaded with more than 140 N, the weld breaks" }
 end)
-label { body = bucket, text = "sand" }
 measure("load", function() return bond:reaction().y end)
 measure("weight", function() return (shelf:mass() + bucket:mass()) * g end)
 expect("just below its strength the weld holds", function()
@@ -32,3 +32,12 @@ expect("it breaks by the next cupful", function() return pulled > bears and pull
 expect("a broken weld holds nothing, and the bucket falls", function()
   return bond:reaction().y == 0 and bucket:position().y < 0.5
 end)
+local grains = {}
+every(0.05, function()
+  while #grains > 0 and grains[1]:position().y < bucket:position().y do table.remove(grains, 1):remove() end   -- it is in
+  if not broke_at then
+    grains[#grains + 1] = body { name = "grain", at = { 1.33 + 0.06 * (math.random() - 0.5), 1.85 }, shape = circle { radius = 0.025 }, mass = 1e-6, mask = 0, color = 0xC9A75C }
+  end
+end)
+plot { title = "Load of the weld (N)", seconds = 5, at = "top_right", y = { load = function() return bond:reaction().y end, ["strength"] = function() return bears end } }
+caption { text = "Sand runs in, 4 kg every second", from = 0, to = 3 }

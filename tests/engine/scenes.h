@@ -48,6 +48,13 @@ inline JointDef joint_between(JointKind kind, BodyId a, Vec2d anchor_a, BodyId b
 /// The engine in the precision this test program is built in.
 inline std::unique_ptr<Simulation> simulate(const Scene& scene) { return make_world(scene); }
 
+/// A body above the floor: body 2.
+inline Scene with_floor(const BodyDef& body) {
+  Scene scene;
+  scene.bodies = {floor_body(), body};
+  return scene;
+}
+
 inline void run(Simulation& simulation, double seconds, int rate = 240) {
   for (int i = 0; i < static_cast<int>(seconds * rate + 0.5); ++i) simulation.step();
 }
