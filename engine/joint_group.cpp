@@ -16,6 +16,11 @@ constexpr real compliance = real(1e-6);
 /// The same where a moving kinematic body pulls joints apart that cannot follow: no force however large helps, and one
 /// in proportion does not hurl about what is pulled in vain. (Fixed bodies do no work, so they need no such care.)
 constexpr real strained_compliance = real(3e-2);
+/// Rows that depend on others (loops with more joints than it takes) show as pivots of little but compliance. Rounding
+/// and the turning of directions within a substep make them disagree a little; what they would ask for to settle that
+/// has to stay small, and Newton's method closes the rest.
+constexpr real redundant = real(2e-5);
+constexpr real redundant_compliance = real(1e-3);
 
 }  // namespace
 
@@ -134,8 +139,7 @@ void JointGroup::prepare(const JointedBodies& scene, bool for_velocities) {
   if (changed) assemble(scene.motions);
 }
 
-void JointGroup::assemble(const std::vector<Motion>& motions) {
-  stale_ = false;
+void JointGroup::fill(const std::vector<Motion>& motions) {
   matrix_.clear();
   if (one_sided_ + driven_ == 0) {
     for (const Coupling& k : couplings_) matrix_.at(k.row, k.column) += entry(k, motions);
@@ -145,9 +149,22 @@ void JointGroup::assemble(const std::vector<Motion>& motions) {
       matrix_.at(k.row, k.column) += entry(k, motions);
     }
   }
-  const real give = strained_ ? strained_compliance : compliance;
+}
+
+void JointGroup::assemble(const std::vector<Motion>& motions) {
+  stale_ = false;
+  fill(motions);
+  const real independence = factor_with(strained_ ? strained_compliance : compliance);
+  redundant_ = independence <= redundant;
+  if (strained_ || !redundant_) return;
+  fill(motions);
+  factor_with(redundant_compliance);
+}
+
+/// Returns how independent the rows are.
+real JointGroup::factor_with(real give) {
   for (int r = 0; r < matrix_.size(); ++r) matrix_.at(r, r) *= 1 + give;
-  matrix_.factor();
+  return matrix_.factor();
 }
 
 real JointGroup::value_of(const Row& row, const JointPlace& place, const JointedBodies& scene, real ahead) const {
@@ -200,6 +217,8 @@ void JointGroup::begin_substep(const JointedBodies& scene, real h, real share) {
   if (driven_ > 0) begin_motors(scene, h, share);
   for (Row& row : rows_) {
     row.pushed = 0;
+    // Forces that redundant joints exert on each other move nothing and would grow from substep to substep.
+    if (redundant_ && row.plan.bound != Bound::driven) memory(row, scene).impulse = 0;
     apply(row, row.plan.bound == Bound::driven ? row.begun : memory(row, scene).impulse, scene);
   }
 }

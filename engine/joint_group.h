@@ -67,6 +67,8 @@ class JointGroup {
   void couple(const std::vector<Motion>& motions);
   real entry(const Coupling& k, const std::vector<Motion>& motions) const;
   void assemble(const std::vector<Motion>& motions);
+  void fill(const std::vector<Motion>& motions);
+  real factor_with(real give);
   /// The system of the rows that hold in this stage; factored anew only where something has changed.
   void prepare(const JointedBodies& scene, bool for_velocities);
   bool holds(const Row& row, const JointedBodies& scene, bool for_velocities) const;
@@ -104,9 +106,10 @@ class JointGroup {
   std::vector<Coupling> couplings_;
   SkylineMatrix matrix_;
   std::vector<real> right_side_;
-  bool stale_ = true;      ///< directions have changed since the system was factored
-  bool strained_ = false;  ///< a kinematic body pulls its joints apart in this substep
-  int one_sided_ = 0;      ///< how many rows are
+  bool stale_ = true;       ///< directions have changed since the system was factored
+  bool redundant_ = false;  ///< some rows follow from the others
+  bool strained_ = false;   ///< a kinematic body pulls its joints apart in this substep
+  int one_sided_ = 0;       ///< how many rows are
   int driven_ = 0;
   double work_ = 0;
 };

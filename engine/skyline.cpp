@@ -20,7 +20,8 @@ void SkylineMatrix::reset(const std::vector<int>& first) {
 
 void SkylineMatrix::clear() { std::fill(values_.begin(), values_.end(), real(0)); }
 
-void SkylineMatrix::factor() {
+real SkylineMatrix::factor() {
+  real least = 1;
   const real negligible = 64 * std::numeric_limits<real>::epsilon();
   for (int r = 0; r < size(); ++r) {
     const int first_r = first_[static_cast<std::size_t>(r)];
@@ -39,7 +40,9 @@ void SkylineMatrix::factor() {
     }
     at(r, r) = pivot;
     inverse_pivot_[static_cast<std::size_t>(r)] = pivot > negligible * diagonal ? 1 / pivot : 0;
+    if (pivot < least * diagonal) least = pivot / diagonal;
   }
+  return least;
 }
 
 void SkylineMatrix::solve(std::vector<real>& x) const {

@@ -23,8 +23,9 @@ class SkylineMatrix {
     return values_[start_[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column)];
   }
   /// Turns the matrix into its factors L D L^T. A pivot that is nothing but rounding belongs to a redundant row (a
-  /// closed loop has some): its unknown is set to 0.
-  void factor();
+  /// closed loop has some): its unknown is set to 0. Returns the least pivot relative to what stood on its diagonal
+  /// before: how independent the rows are, 1 at best.
+  real factor();
   /// Overwrites the right-hand side by the solution. After `factor`.
   void solve(std::vector<real>& x) const;
 

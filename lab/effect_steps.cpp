@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/free_motion.h"
 #include "engine/simulation.h"
+#include "lab/effect_by_hand.h"
 #include "lab/effect_scenes.h"
 
 using namespace proofreel;
@@ -20,37 +20,14 @@ constexpr int measured_ticks = 16;
   for (int i = 0; i < measured_ticks; ++i) simulation.step();
 }
 
-/// Verlet, on the same numbers: half a kick, drift, half a kick. Not specialised for the one caller it has here, who
-/// knows the number of substeps.
-[[gnu::noipa]] void measured_steps(std::vector<Body>& bodies, std::vector<Motion>& motions,
-                                   const std::vector<Vec2>& accelerations, int substeps, real h) {
-  for (int tick = 0; tick < measured_ticks; ++tick) {
-    const Vec2* acceleration = accelerations.data();
-    Body* body = bodies.data();
-    for (Motion& m : motions) {
-      const Vec2 gain = real(0.5) * h * *acceleration++;
-      Vec2 velocity = m.velocity;
-      Vec2 way;
-      for (int k = 0; k < substeps; ++k) {
-        velocity += gain;
-        way += h * velocity;
-        velocity += gain;
-      }
-      for (int k = 0; m.spin != 0 && k < substeps; ++k) turn_on(m, h);
-      m.velocity = velocity;
-      (body++)->center += way;
-    }
-  }
-}
-
 int step_by_hand(int count) {
   Scene scene;
   std::vector<Body> bodies(static_cast<std::size_t>(count) + 1);
   std::vector<Motion> motions(bodies.size());
   for (Motion& motion : motions) motion.velocity = {real(0.5), real(0.25)};
   const std::vector<Vec2> accelerations(bodies.size(), Vec2(scene.gravity));
-  measured_steps(bodies, motions, accelerations, scene.method.substeps,
-                 real(1) / static_cast<real>(scene.rate * scene.method.substeps));
+  const real h = real(1) / static_cast<real>(scene.rate * scene.method.substeps);
+  measured_steps_by_hand(bodies, motions, accelerations, {measured_ticks, scene.method.substeps, h});
   return bodies.back().center.y == 0 ? 1 : 0;
 }
 

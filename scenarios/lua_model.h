@@ -84,7 +84,7 @@ struct Model {
   std::map<std::pair<std::int64_t, std::size_t>, Timer> timers;
   std::size_t timers_made = 0;
   std::vector<ContactHandler> contact_handlers;
-  std::vector<int> fields;        ///< functions of Scene::fields
+  std::vector<int> fields;  ///< functions of Scene::fields
   std::vector<BreakHandler> break_handlers;
   std::vector<int> measures;      ///< functions of Scenario::measures
   std::vector<int> expectations;  ///< functions of Scenario::expectations

@@ -10,8 +10,6 @@ using namespace proofreel::test;
 
 namespace {
 
-constexpr double g = 9.81;
-
 Vec2d momentum(const Simulation& simulation, int bodies) {
   Vec2d sum;
   for (int i = 1; i <= bodies; ++i) {

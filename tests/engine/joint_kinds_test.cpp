@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -355,4 +356,35 @@ TEST_CASE("A chain that a kinematic body pulls farther than it reaches opens, an
   }
   CHECK(fastest < 1.5);
   CHECK(simulation->joint(JointId{0}).gap < 0.1);
+}
+
+TEST_CASE("Three boxes welded in a ring turn as one body, and no weld pulls against another", "[joint]") {
+  Scene scene;
+  scene.gravity = {0, 0};
+  for (int i = 0; i < 3; ++i) {
+    BodyDef box = body_with(box_shape(1, 1), {static_cast<double>(i), 0});
+    box.spin = 1;
+    box.velocity = {0, i - 1.0};
+    scene.bodies.push_back(box);
+  }
+  const auto weld = [&](unsigned a, unsigned b, Vec2d from_a, Vec2d from_b) {
+    JointDef& joint = scene.joints.emplace_back();
+    joint.kind = JointKind::weld;
+    joint.a = static_cast<BodyId>(a);
+    joint.b = static_cast<BodyId>(b);
+    joint.anchor_a = from_a;
+    joint.anchor_b = from_b;
+  };
+  weld(1, 2, {0.5, 0}, {-0.5, 0});
+  weld(2, 3, {0.5, 0}, {-0.5, 0});
+  weld(3, 1, {-1, 0}, {1, 0});
+  const auto simulation = simulate(scene);
+  const double energy = simulation->energy().total();
+  double strongest = 0;
+  for (int i = 0; i < 5 * 240; ++i) {
+    simulation->step();
+    for (unsigned j = 0; j < 3; ++j) strongest = std::max(strongest, length(simulation->joint(JointId{j}).reaction));
+  }
+  CHECK(strongest < pick(2, 20));  // 1 N holds an outer box on its circle
+  CHECK(simulation->energy().total() == Approx(energy).margin(pick(1e-9, 1e-3)));
 }
