@@ -30,6 +30,7 @@ RunReport run_to_the_end(Runner& runner, std::int64_t ticks, bool quiet) {
 int run(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
+  const std::size_t said = scenario->warnings.size();
   const auto start = std::chrono::steady_clock::now();
   Runner runner(*scenario);
   const RunReport report = run_to_the_end(runner, scenario->ticks(), options.common.quiet);
@@ -39,6 +40,9 @@ int run(const Options& options) {
     std::cout << json_text(json_of(report, scenario->warnings, wall_s), 2) << "\n";
   else
     std::cout << text_of(report);
+  const std::vector<std::string> on_the_way(scenario->warnings.begin() + static_cast<std::ptrdiff_t>(said),
+                                            scenario->warnings.end());
+  if (!options.common.quiet) say_all(on_the_way);
   say_all(failures_of(report.scenario, report.expectations));
   return report.all_held() ? 0 : 1;
 }

@@ -50,7 +50,7 @@ void World::break_joints() {
     if (!joint.alive || joint.break_force <= 0 || length(reaction) <= joint.break_force) continue;
     const Vec2 arm = place_of(joint, bodies_, motions_).arm_b;
     break_events_.push_back({static_cast<JointId>(i), Vec2d(bodies_[joint.body_b].center + arm), Vec2d(reaction)});
-    if (is_springy(joint.kind)) booked_work_ -= stored_energy(joint, bodies_, motions_);
+    if (on(Effect::springs) && is_springy(joint.kind)) booked_work_ -= stored_energy(joint, bodies_, motions_);
     remove_joint(i);
     joint.broken = true;
   }

@@ -132,7 +132,7 @@ double World::potential_energy() const {
     potential -= weight * dot(Vec2d(effective_gravity()), Vec2d(bodies_[i].center + motions_[i].delta));
   }
   for (const Joint& joint : joints_) {
-    if (!joint.alive || !is_springy(joint.kind)) continue;
+    if (!on(Effect::springs) || !joint.alive || !is_springy(joint.kind)) continue;
     potential += stored_energy(joint, bodies_, motions_);
   }
   if (on(Effect::attractor)) {

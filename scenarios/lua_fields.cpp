@@ -24,6 +24,7 @@ bool in_range(double number, Range range) {
     case Range::any:
       return true;
     case Range::finite:
+    case Range::place:
       return std::isfinite(number);
     case Range::not_negative:
       return std::isfinite(number) && number >= 0;
@@ -161,6 +162,9 @@ std::optional<Vec2d> Fields::vector(const char* key, Range range) const {
   if (!v) refuse_value(key, "a vector {x, y}");
   lua_pop(state_, 1);
   if (range != Range::any && !is_finite(*v)) refuse(key, "must be finite");
+  constexpr double farthest = 1e9;
+  if (range == Range::place && std::max(std::abs(v->x), std::abs(v->y)) > farthest)
+    refuse(key, "must lie within 1e9 m of the origin");
   return v;
 }
 

@@ -29,7 +29,8 @@ enum class Range : std::uint8_t {
   any,     ///< every number, even NaN: geometry, which is judged as a whole later
   finite,  ///< finite
   not_negative,
-  positive
+  positive,
+  place  ///< of a vector: a point the engine can reckon with, within a billion metres
 };
 
 class Fields {

@@ -62,7 +62,8 @@ int set(lua_State* state) {
   const Fields fields(state, 2, "set", keys);
   JointDef& def = model.joints[static_cast<std::size_t>(joint)].def;
   check_driven(fields, def);
-  const ChangeJoint change{joint, fields.vector("target"), fields.number("speed"), fields.vector("velocity")};
+  const ChangeJoint change{joint, fields.vector("target", Range::place), fields.number("speed"),
+                           fields.vector("velocity")};
   def.target = change.target.value_or(def.target);
   def.velocity = change.velocity.value_or(def.velocity);
   if (change.speed) def.motor->speed = *change.speed;

@@ -100,7 +100,7 @@ int revolute(lua_State* state) {
   static constexpr Name keys[] = {{"at"}, {"limits"}, {"motor"}, {"break_force"}};
   const Fields fields(state, 1, "revolute", keys, 2);
   JointDef joint = between(state, fields, JointKind::revolute);
-  const Vec2d at = fields.required("at", fields.vector("at"));
+  const Vec2d at = fields.required("at", fields.vector("at", Range::place));
   anchor_both(model_of(state), joint, at, at);
   joint.limits = read_limits(fields);
   joint.motor = read_motor(fields, "max_torque");
@@ -112,7 +112,7 @@ int prismatic(lua_State* state) {
   static constexpr Name keys[] = {{"at"}, {"axis"}, {"limits"}, {"motor"}, {"break_force"}};
   const Fields fields(state, 1, "prismatic", keys, 2);
   JointDef joint = between(state, fields, JointKind::prismatic);
-  const Vec2d at = fields.required("at", fields.vector("at"));
+  const Vec2d at = fields.required("at", fields.vector("at", Range::place));
   anchor_both(model_of(state), joint, at, at);
   joint.axis = read_axis(model_of(state), fields, joint.a);
   joint.limits = read_limits(fields);
@@ -129,7 +129,7 @@ int weld(lua_State* state) {
   const Model& model = model_of(state);
   const Vec2d center_b = model.state(joint.b == BodyId::world ? joint.a : joint.b).center;
   const Vec2d center_a = joint.a == BodyId::world ? center_b : model.state(joint.a).center;
-  const Vec2d at = fields.vector("at").value_or(0.5 * (center_a + center_b));
+  const Vec2d at = fields.vector("at", Range::place).value_or(0.5 * (center_a + center_b));
   anchor_both(model, joint, at, at);
   joint.break_force = read_break_force(fields);
   return push_new_joint(state, joint);
@@ -139,7 +139,7 @@ int wheel(lua_State* state) {
   static constexpr Name keys[] = {{"at"}, {"axis"}, {"stiffness"}, {"damping"}, {"motor"}, {"break_force"}};
   const Fields fields(state, 1, "wheel", keys, 2);
   JointDef joint = between(state, fields, JointKind::wheel);
-  const Vec2d at = fields.required("at", fields.vector("at"));
+  const Vec2d at = fields.required("at", fields.vector("at", Range::place));
   anchor_both(model_of(state), joint, at, at);
   joint.axis = read_axis(model_of(state), fields, joint.a);
   joint.stiffness = fields.required("stiffness", fields.number("stiffness", Range::positive));
@@ -152,8 +152,8 @@ int wheel(lua_State* state) {
 /// The ends `from` and `to`, and the length, which is their distance now unless given.
 JointDef stretched(lua_State* state, const Fields& fields, JointKind kind) {
   JointDef joint = between(state, fields, kind);
-  const Vec2d from = fields.required("from", fields.vector("from"));
-  const Vec2d to = fields.required("to", fields.vector("to"));
+  const Vec2d from = fields.required("from", fields.vector("from", Range::place));
+  const Vec2d to = fields.required("to", fields.vector("to", Range::place));
   anchor_both(model_of(state), joint, from, to);
   const Range range = kind == JointKind::spring ? Range::not_negative : Range::positive;
   joint.length = fields.number("length", range).value_or(distance(from, to));
@@ -228,10 +228,10 @@ int pulley(lua_State* state) {
   static constexpr Name keys[] = {{"from_a"}, {"from_b"}, {"to_a"}, {"to_b"}, {"ratio"}, {"break_force"}};
   const Fields fields(state, 1, "pulley", keys, 2);
   JointDef joint = between(state, fields, JointKind::pulley);
-  joint.pin_a = fields.required("from_a", fields.vector("from_a"));
-  joint.pin_b = fields.required("from_b", fields.vector("from_b"));
-  const Vec2d to_a = fields.required("to_a", fields.vector("to_a"));
-  const Vec2d to_b = fields.required("to_b", fields.vector("to_b"));
+  joint.pin_a = fields.required("from_a", fields.vector("from_a", Range::place));
+  joint.pin_b = fields.required("from_b", fields.vector("from_b", Range::place));
+  const Vec2d to_a = fields.required("to_a", fields.vector("to_a", Range::place));
+  const Vec2d to_b = fields.required("to_b", fields.vector("to_b", Range::place));
   if (joint.pin_a == to_a) throw Problem("pulley: from_a and to_a are the same point, so the rope has no direction");
   if (joint.pin_b == to_b) throw Problem("pulley: from_b and to_b are the same point, so the rope has no direction");
   anchor_both(model_of(state), joint, to_a, to_b);
@@ -253,9 +253,9 @@ int drag_to(lua_State* state) {
   if (model.type(joint.b) != BodyType::dynamic) {
     throw Problem("drag_to: body " + quote(model.name(joint.b)) + " is not dynamic, so nothing can pull it");
   }
-  joint.target = fields.required("target", fields.vector("target"));
+  joint.target = fields.required("target", fields.vector("target", Range::place));
   joint.max_force = fields.required("max_force", fields.number("max_force", Range::positive));
-  joint.anchor_b = anchor_on(model, joint.b, fields.vector("at").value_or(model.state(joint.b).center));
+  joint.anchor_b = anchor_on(model, joint.b, fields.vector("at", Range::place).value_or(model.state(joint.b).center));
   return push_new_joint(state, joint);
 }
 

@@ -21,6 +21,17 @@ TEST_CASE("run tells measures, expectations and hashes, and exits with 0 when al
   REQUIRE_THAT(o.out, Contains("ball: 120 ticks") && Contains("measure y") && Contains("the ball falls"));
 }
 
+TEST_CASE("run says what a callback called for in vain", "[cli]") {
+  const Collection c;
+  c.write("late",
+          "scenario{duration=1, effects={'gravity'}}\nlocal b = body{shape=circle{radius=1}}\n"
+          "at(0.5, function() revolute{world, b, at={0, 1}} end)");
+  const Outcome o = c.run({"run", "late"});
+  REQUIRE(o.status == 0);
+  REQUIRE_THAT(o.err, Contains("the scene calls for \"joints\", but the list of effects omits it"));
+  REQUIRE(c.run({"run", "late", "--quiet"}).err.empty());
+}
+
 TEST_CASE("run --json prints one object with the documented keys", "[cli]") {
   const Collection c;
   c.write("hard/ball", falling_ball(good_expectation));

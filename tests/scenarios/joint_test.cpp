@@ -33,6 +33,14 @@ TEST_CASE("Lengths default to the distance now") {
   CHECK(spring.damping == 0.5);
 }
 
+TEST_CASE("Joints are not held from beyond the world") {
+  using Catch::Contains;
+  const std::string scene = "scenario{}\nlocal b = body{shape=circle{radius=1}}\n";
+  CHECK_THAT(error_of(scene + "drag_to{b, target={1e300, 0}, max_force=1}"),
+             Contains("line 3: drag_to: target must lie within 1e9 m of the origin"));
+  CHECK_THAT(error_of(scene + "revolute{world, b, at={1, 1e300}}"), Contains("at must lie within 1e9 m of the origin"));
+}
+
 TEST_CASE("Joints made in callbacks use where the bodies are then") {
   FakeRun r(R"(
     scenario{duration=1, rate=100, fps=50}
