@@ -28,6 +28,9 @@ class JointGroup {
   /// Starts a substep of `h` from the impulses of the one before; motors give the `share` of them that belongs before
   /// the drift.
   void begin_substep(const JointedBodies& scene, real h, real share);
+  /// Motors give as much again as before the drift, as contacts do: contacts and joints have their say in turns, and
+  /// what rests on a driven body has to see its motor hold.
+  void add_share(const JointedBodies& scene);
   /// Changes velocities so that drifting for `h` ends on the joints.
   void solve_positions(const JointedBodies& scene, real h);
   /// Changes velocities so that no joint is opening, and motors run at their speeds.

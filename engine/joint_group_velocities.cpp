@@ -22,6 +22,17 @@ real JointGroup::strongest(const Row& row, const JointedBodies& scene) const {
   return carries ? joint.max_force : joint.motor->strongest;
 }
 
+void JointGroup::add_share(const JointedBodies& scene) {
+  if (driven_ == 0) return;
+  for (Row& row : rows_) {
+    if (row.plan.bound != Bound::driven) continue;
+    const real before = speed_of_row(row, scene.motions);
+    apply(row, row.begun, scene);
+    row.pushed += row.begun;
+    work_ += static_cast<double>(row.begun * real(0.5) * (before + speed_of_row(row, scene.motions)));
+  }
+}
+
 void JointGroup::solve_velocities(const JointedBodies& scene, real h) {
   prepare(scene, true);
   if (one_sided_ + driven_ > 0) return solve_bounded_velocities(scene, h);

@@ -85,6 +85,10 @@ void JointSolver::begin_substep(const JointedBodies& scene, real h, real share) 
   for (JointGroup& group : groups_) group.begin_substep(scene, h, share);
 }
 
+void JointSolver::add_share(const JointedBodies& scene) {
+  for (JointGroup& group : groups_) group.add_share(scene);
+}
+
 void JointSolver::solve_positions(const JointedBodies& scene, real h) {
   for (JointGroup& group : groups_) group.solve_positions(scene, h);
 }

@@ -23,6 +23,8 @@ class JointSolver {
   void linearize(const JointedBodies& scene);
   /// Starts a substep of `h` from the impulses of the one before; `share` of the forces comes before the drift.
   void begin_substep(const JointedBodies& scene, real h, real share);
+  /// Adds the other share of the motors' impulses. Call before the contacts relax.
+  void add_share(const JointedBodies& scene);
   /// Changes velocities so that drifting for `h` ends on the joints.
   void solve_positions(const JointedBodies& scene, real h);
   /// Changes velocities so that no joint is opening, and motors run at their speeds.

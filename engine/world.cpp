@@ -167,7 +167,7 @@ void World::substep(real h) {
   if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(jointed()); });
   if (verlet) kick(share * h);
   if (on(Effect::field) && verlet) timed(StepStage::field, [&] { finish_fields(h); });
-  if (verlet) contact_solver_.add_share(motions_, share);
+  if (verlet && on(Effect::contacts)) add_shares(share);
   thrust(share * h);
   wade(share * h);
   slow_down(share * h);
@@ -178,6 +178,13 @@ void World::substep(real h) {
 void World::pull_and_damp(real h) {
   if (on(Effect::springs)) timed(StepStage::springs, [&] { damp_springs(h); });
   if (on(Effect::motors)) timed(StepStage::joint_solver, [&] { pull_all(h); });
+}
+
+/// Under verlet loads come in two halves: before they are relaxed contacts and motors get the second half of what held
+/// them in the substep before, all at once, since neither could hold its load while the other has not begun to.
+void World::add_shares(real share) {
+  contact_solver_.add_share(motions_, share);
+  if (on(Effect::joints)) joint_solver_.add_share(jointed());
 }
 
 void World::slow_down(real h) {

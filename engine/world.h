@@ -72,6 +72,7 @@ class World final : public Simulation {
   void thrust(real h);
   void kick(real h);
   void solve(real h, real share);
+  void add_shares(real share);
   void relax(real h);
   void end_tick();
   void book_work();

@@ -340,3 +340,20 @@ TEST_CASE("A kinematic body's push through a rail is booked as work", "[joint]")
   CHECK(simulation->energy().booked_work > 1);
   CHECK(energy_error(*simulation, start) < 0.02 * simulation->energy().total());
 }
+
+TEST_CASE("A platform held by a motor alone carries a box ten times as heavy", "[joint]") {
+  Scene scene;
+  scene.bodies = {body_with(box_shape(2, 0.2), {0, 0}), body_with(box_shape(1, 1), {0, 0.6})};
+  scene.bodies[0].mass = 1;
+  scene.bodies[1].mass = 10;
+  JointDef lift;
+  lift.kind = JointKind::prismatic;
+  lift.b = BodyId{1};
+  lift.axis = {0, 1};
+  lift.motor = MotorDef{0, 5000};
+  scene.joints = {lift};
+  const auto simulation = simulate(scene);
+  run(*simulation, 6);
+  CHECK(simulation->body(BodyId{1}).position.y == Approx(0).margin(2e-3));
+  CHECK(simulation->joint(JointId{0}).reaction.y == Approx(11 * 9.81).epsilon(pick(1e-6, 1e-3)));
+}
