@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <chrono>
 
 #include "scene_text.h"
 
@@ -9,10 +8,11 @@ using Catch::StartsWith;
 
 namespace {
 
-double seconds_of(const std::string& text, const std::string& expected) {
-  const auto start = std::chrono::steady_clock::now();
-  CHECK_THAT(error_of(text), Contains(expected));
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// Ends with the words expected: for a reason of its own, or because it took too many steps; never because it took too
+/// long on the clock, which is the last resort.
+void check_ends(const std::string& text, const std::string& expected) {
+  const std::string error = error_of(text);
+  CHECK_THAT(error, Contains(expected) && !Contains("seconds in one go"));
 }
 
 }  // namespace
@@ -46,27 +46,26 @@ TEST_CASE("Things made outside Lua's memory are counted too") {
              Contains("a scene holds at most 200000 bodies"));
 }
 
-TEST_CASE("Hostile patterns are refused fast") {
+TEST_CASE("Hostile patterns are refused by their steps") {
   const std::string hostile =
       GENERATE("string.find(('a'):rep(400), ('a*'):rep(8)..'b')", "('a'):rep(400):match(('a-'):rep(8)..'b')",
                "('a'):rep(400):gsub(('a?'):rep(30)..('a'):rep(30)..'b', '')",
                "for w in ('a'):rep(400):gmatch(('a*'):rep(8)..'b') do end", "('('):rep(1e6):find('%b()')",
                "('a'):rep(1e6):find(('a'):rep(5e5)..'b', 1, true)");
-  CHECK(seconds_of("scenario{};\n" + hostile, "too many steps") < 1);
+  check_ends("scenario{};\n" + hostile, "too many steps");
 }
 
 TEST_CASE("Loops inside library functions end") {
   CHECK(error_of("scenario{}\nassert(string.rep('', 1 << 60) == '')").empty());
-  CHECK(seconds_of("scenario{}\nlocal s = ('x'):rep(1e6); local t = s:gsub('.*', ('%0'):rep(1e6))", "too long") < 3);
-  CHECK(seconds_of("scenario{}\nlocal t = {}\nfor i = 1, 5e6 do t[i] = i end\nfor k in pairs(t) do end",
-                   "was stopped after") < 3);
-  CHECK(seconds_of("scenario{}\nfor i = 1, 1e5 do body{shape=circle{radius=1}} energy() end", "was stopped after") < 3);
-  CHECK(seconds_of("scenario{}\ntable.move({}, 1, 1 << 60, 2)", "was stopped after") < 1);
-  CHECK(seconds_of("scenario{}\ntable.unpack({}, 1, 1e9)", "too many results to unpack") < 1);
-  CHECK(seconds_of("scenario{}\ntable.concat({}, '', 1, 1 << 60)", "invalid value (nil) at index 1") < 1);
-  CHECK(seconds_of("scenario{}\nlocal t = {}\nfor i = 1, 1e6 do t[i] = i end\nwhile true do table.insert(t, 1, 0) end",
-                   "was stopped after") < 10);
-  CHECK(seconds_of("scenario{}\nlocal s = ('x'):rep(5e7)\nwhile true do s:upper() end", "was stopped after") < 10);
+  check_ends("scenario{}\nlocal s = ('x'):rep(1e6); local t = s:gsub('.*', ('%0'):rep(1e6))", "too long");
+  check_ends("scenario{}\nlocal t = {}\nfor i = 1, 5e6 do t[i] = i end\nfor k in pairs(t) do end", "was stopped after");
+  check_ends("scenario{}\nfor i = 1, 1e5 do body{shape=circle{radius=1}} energy() end", "was stopped after");
+  check_ends("scenario{}\ntable.move({}, 1, 1 << 60, 2)", "was stopped after");
+  check_ends("scenario{}\ntable.unpack({}, 1, 1e9)", "too many results to unpack");
+  check_ends("scenario{}\ntable.concat({}, '', 1, 1 << 60)", "invalid value (nil) at index 1");
+  check_ends("scenario{}\nlocal t = {}\nfor i = 1, 1e6 do t[i] = i end\nwhile true do table.insert(t, 1, 0) end",
+             "was stopped after");
+  check_ends("scenario{}\nlocal s = ('x'):rep(5e7)\nwhile true do s:upper() end", "was stopped after");
 }
 
 TEST_CASE("Recursion and nesting without end are errors, not crashes") {
