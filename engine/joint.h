@@ -109,6 +109,11 @@ void kick_spring(Joint& joint, const std::vector<Body>& bodies, std::vector<Moti
 /// The same with the force of its damper.
 void damp_spring(Joint& joint, const std::vector<Body>& bodies, std::vector<Motion>& motions, real h);
 
+/// Spring and damper as one force, for integrators that take all forces together: adds to the velocities in `pushed`
+/// what it does in `h` seconds to the bodies as they are in `motions`. Returns the impulse on b.
+Vec2 push_by_spring(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions,
+                    std::vector<Motion>& pushed, real h);
+
 /// Adds the pull of a drag_to over `h` to the velocity of its body. The work it does comes back, J.
 double pull(Joint& joint, const std::vector<Body>& bodies, std::vector<Motion>& motions, real h);
 

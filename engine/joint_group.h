@@ -30,6 +30,7 @@ class JointGroup {
   void begin_substep(const JointedBodies& scene, real h, real share);
   /// Motors give as much again as before the drift, as contacts do: contacts and joints have their say in turns, and
   /// what rests on a driven body has to see its motor hold.
+  /// Call before the contacts relax.
   void add_share(const JointedBodies& scene);
   /// Changes velocities so that drifting for `h` ends on the joints.
   void solve_positions(const JointedBodies& scene, real h);

@@ -19,17 +19,13 @@ class JointSolver {
   /// Groups and numbers the rows anew. Call when joints or bodies come or go.
   void rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted);
   bool empty() const { return groups_.empty(); }
-  /// Takes directions and effective masses from the present positions. Call after every drift.
+
+  // All groups, one after the other; what each of these does is told in joint_group.h.
   void linearize(const JointedBodies& scene);
-  /// Starts a substep of `h` from the impulses of the one before; `share` of the forces comes before the drift.
   void begin_substep(const JointedBodies& scene, real h, real share);
-  /// Adds the other share of the motors' impulses. Call before the contacts relax.
   void add_share(const JointedBodies& scene);
-  /// Changes velocities so that drifting for `h` ends on the joints.
   void solve_positions(const JointedBodies& scene, real h);
-  /// Changes velocities so that no joint is opening, and motors run at their speeds.
   void solve_velocities(const JointedBodies& scene, real h);
-  /// What motors and moving kinematic bodies have put in since the last call, J.
   double take_work(const JointedBodies& scene);
 
  private:

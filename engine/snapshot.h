@@ -82,6 +82,7 @@ struct JointView {
   Vec2d anchor_b;     ///< world
   Vec2d reaction;     ///< N on b, mean over the last tick
   double torque = 0;  ///< N m on b beside the reaction (of limits, motors, welds), mean over the last tick
+  double ratio = 1;   ///< gear, pulley
   double gap = 0;     ///< m by which the joint is violated; 0 for what is soft
   Vec2d axis;         ///< prismatic, wheel: unit, world
   double length = 0;  ///< rope: m

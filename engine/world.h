@@ -180,7 +180,7 @@ class World final : public Simulation {
   std::vector<Motion> motions_;      ///< parallel to bodies_
   std::vector<Vec2> accelerations_;  ///< from gravity and pushes, constant during a tick; empty where nothing does
   std::vector<DragDef> drags_;       ///< of each body, or empty
-  std::vector<Push> pushed_;         ///< each body once
+  std::vector<Push> pushed_;         ///< each body once, in order
   std::vector<Vec2> velocities_before_;
   std::vector<Shape> shapes_;
   std::vector<Joint> joints_;

@@ -212,8 +212,9 @@ void World::execute(const ApplyImpulse& command) {
 }
 
 World::Push& World::push_on(BodyIndex index) {
-  const auto known = std::find_if(pushed_.begin(), pushed_.end(), [index](const Push& p) { return p.body == index; });
-  return known != pushed_.end() ? *known : pushed_.emplace_back(Push{index, {}, 0, 0});
+  const auto at = std::lower_bound(pushed_.begin(), pushed_.end(), index,
+                                   [](const Push& push, BodyIndex body) { return push.body < body; });
+  return at != pushed_.end() && at->body == index ? *at : *pushed_.insert(at, Push{index, {}, 0, 0});
 }
 
 void World::execute(const ApplyForce& command) {

@@ -49,6 +49,7 @@ JointView World::joint(JointId id) const {
   view.gap = static_cast<double>(violation(joint, joints_, bodies_, motions_));
   view.axis = Vec2d(place.axis);
   view.length = static_cast<double>(joint.length);
+  view.ratio = static_cast<double>(joint.ratio);
   view.pin_a = Vec2d(joint.pin_a);
   view.pin_b = Vec2d(joint.pin_b);
   view.broken = joint.broken;

@@ -16,23 +16,6 @@ namespace {
 constexpr double p = 0.41449077179437573714;
 constexpr std::array<double, 5> suzuki_steps{p, p, 1 - 4 * p, p, p};
 
-/// The force of a spring and its damper on body b.
-struct SpringPull {
-  JointPlace at;
-  Vec2 force;
-};
-
-SpringPull pull_of(const Joint& spring, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {
-  SpringPull pull{place_of(spring, bodies, motions), {}};
-  const real stretched = length(pull.at.gap);
-  if (stretched <= 0) return pull;
-  const Vec2 along = (1 / stretched) * pull.at.gap;
-  const Vec2 parting =
-      motions[spring.body_b].velocity_at(pull.at.arm_b) - motions[spring.body_a].velocity_at(pull.at.arm_a);
-  pull.force = -(spring.stiffness * (stretched - spring.length) + spring.damping * dot(parting, along)) * along;
-  return pull;
-}
-
 bool is_spring(const Joint& joint) { return joint.alive && joint.kind == JointKind::spring; }
 
 }  // namespace
@@ -59,9 +42,10 @@ void World::advance_smoothly(real h) {
     booked_work_ += smooth_integrator_.work();
     ++drifts_;
   });
+  if (!on(Effect::springs)) return;
   for (Joint& joint : joints_) {
     if (!is_spring(joint)) continue;
-    const Vec2 impulse = h * pull_of(joint, bodies_, motions_).force;
+    const Vec2 impulse = push_by_spring(joint, bodies_, motions_, pulled_, h);
     joint.impulse += impulse;
     joint.soft_impulse += impulse;
   }
@@ -111,10 +95,7 @@ void World::add_fields(double time, Slopes& slopes) const {
 
 void World::pull_springs() {
   for (const Joint& joint : joints_) {
-    if (!is_spring(joint)) continue;
-    const SpringPull pull = pull_of(joint, bodies_, motions_);
-    pulled_[joint.body_a].push(-pull.force, pull.at.arm_a);
-    pulled_[joint.body_b].push(pull.force, pull.at.arm_b);
+    if (is_spring(joint)) push_by_spring(joint, bodies_, motions_, pulled_, 1);
   }
 }
 

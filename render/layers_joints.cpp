@@ -148,16 +148,19 @@ void draw_pulley(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
   for (const Vec2d end : {a, b}) draw_end(stage, end);
 }
 
-/// A line with the mark of teeth halfway.
-void draw_gear(const Stage& stage, Vec2d a, Vec2d b) {
-  Color color = stage.palette.joint;
-  stage.canvas.line(a, b, 0.6 * line_px(stage), color);
+/// Teeth where two wheels of this ratio, which turn against each other, would meet. Wheels that turn the same way, by a
+/// belt say, and rails meet nowhere: theirs are halfway, on a line from one to the other.
+void draw_gear(const Stage& stage, const JointView& joint, Vec2d a, Vec2d b) {
+  const bool meet = joint.ratio > 0;
+  if (!meet) stage.canvas.line(a, b, 0.6 * line_px(stage), stage.palette.joint);
   const Vec2d along = normalized(b - a);
+  const Vec2d row = meet ? perp(along) : along;
+  const Vec2d middle = lerp(a, b, meet ? 1 / (1 + joint.ratio) : 0.5);
   const double pitch = std::max(3.0, 5 * stage.sizes.unit);
   for (int tooth = -2; tooth <= 2; ++tooth) {
-    const Vec2d at = lerp(a, b, 0.5) + tooth * pitch * along;
-    const Vec2d side = (tooth % 2 == 0 ? 1.0 : -1.0) * pitch * perp(along);
-    stage.canvas.line(at, at + side, 0.8 * line_px(stage), color);
+    const Vec2d at = middle + tooth * pitch * row;
+    const Vec2d side = (tooth % 2 == 0 ? 1.0 : -1.0) * pitch * perp(row);
+    stage.canvas.line(at, at + side, 0.8 * line_px(stage), stage.palette.joint);
   }
 }
 
@@ -215,7 +218,7 @@ void draw_joints(const Stage& stage) {
         draw_wheel(stage, joint, a, b);
         break;
       case JointKind::gear:
-        draw_gear(stage, a, b);
+        draw_gear(stage, joint, a, b);
         break;
       case JointKind::pulley:
         draw_pulley(stage, joint, a, b);

@@ -58,6 +58,19 @@ void damp_spring(Joint& joint, const std::vector<Body>& bodies, std::vector<Moti
   give(joint, s, -h * joint.damping * speed / (1 + real(0.5) * h * joint.damping * inverse_mass), motions);
 }
 
+Vec2 push_by_spring(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions,
+                    std::vector<Motion>& pushed, real h) {
+  const Stretch s = stretch_of(joint, place_of(joint, bodies, motions));
+  if (!s.has_direction) return {};
+  const Motion& a = motions[joint.body_a];
+  const Motion& b = motions[joint.body_b];
+  const real speed = dot(b.velocity_at(s.arm_b) - a.velocity_at(s.arm_a), s.along);
+  const Vec2 impulse = -h * (joint.stiffness * s.by + joint.damping * speed) * s.along;
+  pushed[joint.body_a].push(-impulse, s.arm_a);
+  pushed[joint.body_b].push(impulse, s.arm_b);
+  return impulse;
+}
+
 double stored_energy(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {
   const auto by = static_cast<double>(stretch_of(joint, place_of(joint, bodies, motions)).by);
   return 0.5 * static_cast<double>(joint.stiffness) * by * by;

@@ -33,19 +33,6 @@ BodyState after(const Scene& scene, double seconds) {
   return simulation->body(BodyId{1});
 }
 
-/// The largest change of the energy within so many seconds.
-double energy_drift(const Scene& scene, double seconds) {
-  const auto simulation = simulate(scene);
-  const double before = simulation->energy().total();
-  double drift = 0;
-  for (int i = 0; i < static_cast<int>(seconds * scene.rate); ++i) {
-    simulation->step();
-    const Energy energy = simulation->energy();
-    drift = std::max(drift, std::abs(energy.total() - energy.booked_work - before));
-  }
-  return drift;
-}
-
 /// Half the time between the first two upward crossings of `rest`, doubled: the period of a heave.
 double period_about(const Scene& scene, double rest) {
   const auto simulation = simulate(scene);

@@ -21,19 +21,6 @@ Scene in_field(const ForceField& field, Vec2d velocity = {}) {
   return scene;
 }
 
-/// The largest change of energy less booked work within so many seconds.
-double energy_drift(const Scene& scene, double seconds) {
-  const auto simulation = simulate(scene);
-  const double before = simulation->energy().total();
-  double drift = 0;
-  for (int i = 0; i < static_cast<int>(seconds * scene.rate); ++i) {
-    simulation->step();
-    const Energy energy = simulation->energy();
-    drift = std::max(drift, std::abs(energy.total() - energy.booked_work - before));
-  }
-  return drift;
-}
-
 }  // namespace
 
 TEST_CASE("A constant field accelerates every dynamic body by force over mass") {

@@ -63,4 +63,17 @@ inline constexpr bool is_double = sizeof(real) == sizeof(double);
 /// The tolerance to use: one for double, one for float.
 inline constexpr double pick(double for_double, double for_float) { return is_double ? for_double : for_float; }
 
+/// The largest change of the energy less booked work within so many seconds.
+inline double energy_drift(const Scene& scene, double seconds) {
+  const auto simulation = simulate(scene);
+  const double before = simulation->energy().total();
+  double drift = 0;
+  for (int i = 0; i < static_cast<int>(seconds * scene.rate); ++i) {
+    simulation->step();
+    const Energy energy = simulation->energy();
+    drift = std::max(drift, std::abs(energy.total() - energy.booked_work - before));
+  }
+  return drift;
+}
+
 }  // namespace proofreel::test
