@@ -68,6 +68,10 @@ void mix_materials(Contact& contact, const Shape& a, const Shape& b) {
   contact.surface_speed = a.surface_speed + b.surface_speed;
 }
 
+real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin) {
+  return deepest(narrow_phase(a, pose_a, b, pose_b, margin));
+}
+
 void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
                      const std::vector<Motion>& motions, real dt, bool ccd) {
   const Shape& a = shapes[contact.shape_a];

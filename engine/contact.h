@@ -43,6 +43,9 @@ struct Contact {
 /// and rolling resistance the larger; surface speeds summed.
 void mix_materials(Contact& contact, const Shape& a, const Shape& b);
 
+/// How far two shapes are apart, m; negative on overlap, and without bound from `margin` on.
+real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin);
+
 /// Runs the narrow phase for one contact and carries the impulses over to the points that are still the same.
 /// `dt` is the length of a tick: surfaces that may meet within it are in the manifold too (speculative contacts);
 /// `ccd` lets that reach as far as the bodies may move.

@@ -8,9 +8,12 @@ inline namespace PROOFREEL_PRECISION {
 namespace {
 
 constexpr real two_pi = real(6.283185307179586);
-/// Overlap is driven out at no more than this many times the pair's thickness per second, so that bodies that start
-/// inside each other part gently whatever their size.
-constexpr real push_rate = 3;
+/// Of the pair's thickness: so much overlap is left alone where it is driven out at once, so that contacts last.
+constexpr real slop = real(0.005);
+/// The part of the rest that is driven out in one substep.
+constexpr real baumgarte = real(0.2);
+/// Positions are moved by no more than this part of the thickness at a time.
+constexpr real longest_move = real(0.2);
 
 real inverse_or_zero(real x) { return x > 0 ? 1 / x : 0; }
 
@@ -25,9 +28,11 @@ ConstraintPoint make_point(const ContactConstraint& c, const ManifoldPoint& p, c
   ConstraintPoint out;
   out.arm_a = p.point;
   out.arm_b = p.point - center_a_to_b;
-  out.local_a = inverse_rotate(a.rotation, out.arm_a);
-  out.local_b = inverse_rotate(b.rotation, out.arm_b);
-  out.base_separation = p.separation - dot(out.arm_b - out.arm_a, c.normal);
+  const Vec2 core_a = out.arm_a - c.radius_a * c.normal;
+  const Vec2 core_b = out.arm_b + c.radius_b * c.normal;
+  out.local_a = inverse_rotate(a.rotation, core_a);
+  out.local_b = inverse_rotate(b.rotation, core_b);
+  out.base_separation = p.separation - dot(core_b - core_a, c.normal);
   out.normal_mass = effective_mass(a, b, out, c.normal);
   out.tangent_mass = effective_mass(a, b, out, perp(c.normal));
   out.normal_impulse = impulse.normal;
@@ -40,11 +45,21 @@ void push_apart(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
   b.push(impulse, p.arm_b);
 }
 
+/// The same with positions: `impulse` in kg m.
+void shift(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
+  const auto move = [](Motion& m, Vec2 push, Vec2 arm) {
+    const real turn = m.inv_inertia * cross(arm, push);
+    m.delta += m.inv_mass * push;
+    m.rotation = turned(m.rotation, turn);
+    m.angle += turn;
+  };
+  move(a, -impulse, p.arm_a);
+  move(b, impulse, p.arm_b);
+}
+
 Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& p) {
   return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
 }
-
-real friction_of(const ContactConstraint& c) { return c.sliding ? c.friction_sliding : c.friction_at_rest; }
 
 /// `wanted_slip` is how fast the surfaces should move along each other: not at all, unless they are belts.
 template <bool moving>
@@ -58,30 +73,6 @@ template <bool moving>
   const real impulse = std::clamp(wanted, -limit, limit);
   push_apart(a, b, p, (impulse - p.tangent_impulse) * tangent);
   p.tangent_impulse = impulse;
-}
-
-// Left to itself the compiler stops inlining these when there are several kinds of sweep: 6 % more instructions.
-template <bool driving_out>
-[[gnu::always_inline]] inline void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b,
-                                                const Softness& soft, real h) {
-  const real separation = separation_of(c, p, a, b);
-  real bias = 0;
-  real mass_scale = 1;
-  real impulse_scale = 0;
-  if (separation > 0) {
-    bias = separation / h;  // may come as close as touching, and no closer
-  } else if (driving_out) {
-    bias = std::max(soft.bias_rate * separation, -push_rate * c.length);
-    mass_scale = soft.mass_scale;
-    impulse_scale = soft.impulse_scale;
-  }
-  const real approach = dot(relative_velocity(a, b, p), c.normal);
-  const real change = -p.normal_mass * mass_scale * (approach + bias) - impulse_scale * p.normal_impulse;
-  real impulse = std::max(p.normal_impulse + change, real(0));
-  // The relaxing sweep must not brake what has not arrived yet: the next substep will, or bounces it.
-  if (!driving_out && separation > 0) impulse = std::min(impulse, p.normal_impulse);
-  push_apart(a, b, p, (impulse - p.normal_impulse) * c.normal);
-  p.normal_impulse = impulse;
 }
 
 /// Coulomb's law with two coefficients: a contact sticks until it needs all that static friction can give at every
@@ -130,6 +121,8 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
     c.friction_sliding = contact.friction_sliding;
     c.restitution = contact.restitution;
     c.length = pair_length(shapes[contact.shape_a], shapes[contact.shape_b]);
+    c.radius_a = shapes[contact.shape_a].hull.radius;
+    c.radius_b = shapes[contact.shape_b].hull.radius;
     for (int k = 0; k < c.count; ++k) {
       c.points[k] = make_point(c, contact.manifold.points[k], contact.impulses[k], contact.a_to_b, motions[c.body_a],
                                motions[c.body_b]);
@@ -171,37 +164,91 @@ void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
   rolling_.add_share(motions, share);
 }
 
-template <bool driving_out, bool friction, bool moving>
+// Left to itself the compiler stops inlining this when there are several kinds of sweep: 6 % more instructions.
+template <ContactSolver::Push push>
+[[gnu::always_inline]] inline void ContactSolver::solve_normal(const ContactConstraint& c, ConstraintPoint& p,
+                                                               Motion& a, Motion& b, real h) const {
+  const real separation = separation_of(c, p, a, b);
+  real bias = 0;
+  real mass_scale = 1;
+  real impulse_scale = 0;
+  if (separation > 0) {
+    bias = separation / h;  // may come as close as touching, and no closer
+  } else if constexpr (push == Push::softly) {
+    bias = std::max(softness_.bias_rate * separation, -push_rate * c.length);
+    mass_scale = softness_.mass_scale;
+    impulse_scale = softness_.impulse_scale;
+  } else if constexpr (push == Push::at_once) {
+    bias = std::max(baumgarte / h * std::min(separation + slop * c.length, real(0)), -push_rate * c.length);
+  }
+  const real approach = dot(relative_velocity(a, b, p), c.normal);
+  const real change = -p.normal_mass * mass_scale * (approach + bias) - impulse_scale * p.normal_impulse;
+  real impulse = std::max(p.normal_impulse + change, real(0));
+  // What has not arrived yet must not be braked when speeds are relaxed: the next substep will, or bounces it.
+  if (push == Push::back && separation > 0) impulse = std::min(impulse, p.normal_impulse);
+  push_apart(a, b, p, (impulse - p.normal_impulse) * c.normal);
+  p.normal_impulse = impulse;
+}
+
+template <ContactSolver::Push push, bool friction, bool moving>
 void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
   const std::size_t n = constraints_.size();
   for (std::size_t i = 0; i < n; ++i) {
     // Up through the pile and down again: neither direction, nor the side the pile was built from, is favoured.
-    ContactConstraint& c = constraints_[driving_out ? i : n - 1 - i];
+    const std::size_t at = push == Push::back ? n - 1 - i : i;
+    ContactConstraint& c = constraints_[at];
     Motion& a = motions[c.body_a];
     Motion& b = motions[c.body_b];
-    for (int k = 0; k < c.count; ++k) solve_normal<driving_out>(c, c.points[k], a, b, softness_, h);
+    for (int k = 0; k < c.count; ++k) solve_normal<push>(c, c.points[k], a, b, h);
     if constexpr (friction) {
       real wanted_slip = 0;
-      if constexpr (moving) wanted_slip = surface_speeds_[driving_out ? i : n - 1 - i];
+      if constexpr (moving) wanted_slip = surface_speeds_[at];
       for (int k = 0; k < c.count; ++k) solve_friction<moving>(c, c.points[k], a, b, wanted_slip);
     }
   }
 }
 
-template <bool driving_out>
+template <ContactSolver::Push push>
 void ContactSolver::sweep(std::vector<Motion>& motions, real h) {
   if (!parts_.friction) {
-    sweep_all<driving_out, false, false>(motions, h);
+    sweep_all<push, false, false>(motions, h);
   } else if (parts_.surface_speed) {
-    sweep_all<driving_out, true, true>(motions, h);
+    sweep_all<push, true, true>(motions, h);
   } else {
-    sweep_all<driving_out, true, false>(motions, h);
+    sweep_all<push, true, false>(motions, h);
   }
   rolling_.sweep(constraints_, motions);
 }
 
-template void ContactSolver::sweep<true>(std::vector<Motion>&, real);
-template void ContactSolver::sweep<false>(std::vector<Motion>&, real);
+template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion>&, real);
+
+void ContactSolver::solve(std::vector<Motion>& motions, real h) {
+  switch (method_) {
+    case ContactMethod::soft_step:
+    case ContactMethod::exact:  // a pile too large to be solved exactly
+    case ContactMethod::event:
+      return sweep<Push::softly>(motions, h);
+    case ContactMethod::sequential_impulses:
+      return sweep<Push::at_once>(motions, h);
+    case ContactMethod::ngs:
+      return sweep<Push::never>(motions, h);
+  }
+}
+
+/// Separations are those of the moment: what one contact moves the next one sees.
+void ContactSolver::push_out(std::vector<Motion>& motions) const {
+  for (const ContactConstraint& c : constraints_) {
+    Motion& a = motions[c.body_a];
+    Motion& b = motions[c.body_b];
+    for (int k = 0; k < c.count; ++k) {
+      const ConstraintPoint& p = c.points[k];
+      const real overlap = separation_of(c, p, a, b) + slop * c.length;
+      if (overlap >= 0) continue;
+      const real way = std::max(baumgarte * overlap, -longest_move * c.length);
+      shift(a, b, p, -p.normal_mass * way * c.normal);
+    }
+  }
+}
 
 void ContactSolver::end_substep() {
   for (ContactConstraint& c : constraints_) {

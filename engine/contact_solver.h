@@ -1,8 +1,14 @@
 #pragma once
 
-/// Contacts and friction by soft steps with relaxation ("TGS Soft", Catto, Solver2D, box2d.org 2024): overlap is driven
-/// out by a damped spring as stiff as the substep can carry, and a second, rigid sweep takes the velocity of the push
-/// out again. Under the verlet integrator both sweeps get half of gravity each, so that a body at rest reports v = 0.
+/// Contacts and friction, one contact after the other, sweep by sweep (projected Gauss-Seidel on impulses; "sequential
+/// impulses", Catto, GDC 2006). Three ways to get overlap out:
+///   soft_step            by a damped spring as stiff as the substep can carry; a second, rigid sweep takes the
+///   velocity
+///                        of the push out again ("TGS Soft", Catto, Solver2D, box2d.org 2024)
+///   sequential_impulses  a part of it per substep, by velocity, which stays as energy (Baumgarte 1972; as taught)
+///   ngs                  not by velocity at all: afterwards the positions are moved (nonlinear Gauss-Seidel)
+/// Under the verlet integrator there are sweeps before the drift and after it, and both get half of gravity each, so
+/// that a body at rest reports v = 0.
 
 #include <vector>
 
@@ -23,9 +29,9 @@ struct Softness {
 Softness make_softness(real hertz, real damping_ratio, real h);
 
 struct ConstraintPoint {
-  Vec2 local_a;  ///< in the bodies' axes, from their centres of mass
-  Vec2 local_b;
-  Vec2 arm_a;  ///< the same at the start of the tick, world axes
+  Vec2 local_a;  ///< on the cores, in the bodies' axes from their centres of mass: roundings touch with other points
+  Vec2 local_b;  ///< when they turn
+  Vec2 arm_a;    ///< on the surfaces, at the start of the tick, world axes
   Vec2 arm_b;
   real base_separation = 0;  ///< separation less the part that the moving arms account for
   real normal_mass = 0;      ///< effective mass along the normal
@@ -48,12 +54,24 @@ struct ContactConstraint {
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
-  real length = 0;  ///< pair_length of its shapes
+  real length = 0;    ///< pair_length of its shapes
+  real radius_a = 0;  ///< of the shapes' roundings, m
+  real radius_b = 0;
   ConstraintPoint points[2];
 };
 
 /// The separation of a point at the present positions.
 real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const Motion& a, const Motion& b);
+
+/// The coefficient that counts at present.
+inline real friction_of(const ContactConstraint& c) { return c.sliding ? c.friction_sliding : c.friction_at_rest; }
+
+/// Overlap is driven out at no more than this many times the pair's thickness per second, so that bodies that start
+/// inside each other part gently whatever their size.
+inline constexpr real push_rate = 3;
+
+/// Gaps below this part of the pair's thickness are closed for those who want to know exactly.
+inline constexpr real closed_gap = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-6);
 
 /// What of a contact's behaviour is solved; what is off is left out altogether.
 struct ContactParts {
@@ -64,6 +82,7 @@ struct ContactParts {
 
 class ContactSolver {
  public:
+  explicit ContactSolver(ContactMethod method) : method_(method) {}
   /// Collects the contacts that have points.
   void prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
                const std::vector<Motion>& motions, Softness softness, ContactParts parts);
@@ -71,26 +90,38 @@ class ContactSolver {
   void begin_substep(std::vector<Motion>& motions, real share);
   /// Adds the other share before the relaxing sweep.
   void add_share(std::vector<Motion>& motions, real share);
-  /// One sweep that also drives out overlap.
-  void solve(std::vector<Motion>& motions, real h) { sweep<true>(motions, h); }
+  /// One sweep that stops approach and, as far as the method does it by velocity, drives out overlap.
+  void solve(std::vector<Motion>& motions, real h);
   /// One sweep that only stops approach.
-  void relax(std::vector<Motion>& motions, real h) { sweep<false>(motions, h); }
+  void relax(std::vector<Motion>& motions, real h) { sweep<Push::back>(motions, h); }
+  /// One sweep over the positions that takes out a part of the overlap.
+  void push_out(std::vector<Motion>& motions) const;
   /// Ends a substep: books its impulses and looks which contacts stick and which slide.
   void end_substep();
   /// Hands the impulses back to the contacts.
   void store(std::vector<Contact>& contacts) const;
   std::vector<ContactConstraint>& constraints() { return constraints_; }
+  const std::vector<ContactConstraint>& constraints() const { return constraints_; }
   /// How fast friction wants the surfaces of every constraint to move along each other, m/s: B's against A's, along the
   /// normal turned a quarter counter-clockwise. Empty where no surface moves by itself.
   const std::vector<real>& surface_speeds() const { return surface_speeds_; }
   const std::vector<RollingRows::Row>& rolling() const { return rolling_.rows(); }
+  std::vector<RollingRows::Row>& rolling() { return rolling_.rows(); }
+  const ContactParts& parts() const { return parts_; }
 
  private:
-  template <bool driving_out>
-  void sweep(std::vector<Motion>& motions, real h);
-  template <bool driving_out, bool friction, bool moving>
-  void sweep_all(std::vector<Motion>& motions, real h);
+  /// How a sweep treats overlap: it is driven out by a spring, or a part of it at once, or not by this sweep; or the
+  /// sweep takes back what another one has pushed too much.
+  enum class Push : std::uint8_t { softly, at_once, never, back };
 
+  template <Push push>
+  void sweep(std::vector<Motion>& motions, real h);
+  template <Push push, bool friction, bool moving>
+  void sweep_all(std::vector<Motion>& motions, real h);
+  template <Push push>
+  void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b, real h) const;
+
+  ContactMethod method_;
   std::vector<ContactConstraint> constraints_;
   std::vector<real> surface_speeds_;  ///< parallel to constraints_, or empty
   RollingRows rolling_;

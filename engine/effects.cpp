@@ -156,8 +156,12 @@ bool brakes_or_drives(const Scene& scene, EffectSet effects) {
 
 std::optional<std::string> problem_with_method(const Scene& scene) {
   const Integrator integrator = scene.method.integrator;
-  if (steps_everything(integrator)) return std::nullopt;
   const EffectSet effects = effects_of(scene);
+  const bool divides_time = scene.method.contact_solver == ContactMethod::event && effects.has(Effect::contacts);
+  if (divides_time && (effects.has(Effect::rocket) || effects.has(Effect::field)))
+    return std::string("contact_solver \"event\" makes steps of any length, which rockets and fields cannot follow: ") +
+           "use \"exact\"";
+  if (steps_everything(integrator)) return std::nullopt;
   const std::string method = std::string("integrator \"") + name_of(integrator) + "\" ";
   if (effects.has(Effect::contacts))
     return method + "cannot step bodies that may meet, whose velocities jump: use \"verlet\" or " +
@@ -165,6 +169,8 @@ std::optional<std::string> problem_with_method(const Scene& scene) {
   if (effects.has(Effect::rocket))
     return method + "cannot step a rocket, whose mass changes on the way: use \"verlet\" or \"symplectic_euler\"";
   if (integrator == Integrator::suzuki4) {
+    if (effects.has(Effect::joints) && scene.method.joint_solver == JointMethod::iterative)
+      return method + "composes steps that joints must not spoil: use joint_solver \"direct\"";
     if (!brakes_or_drives(scene, effects)) return std::nullopt;
     return method + "steps backwards inside, where what brakes would drive (drag, dampers, motors, fields): " +
            "use another one";

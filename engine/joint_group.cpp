@@ -74,6 +74,7 @@ void JointGroup::couple(const std::vector<Motion>& motions) {
       }
     }
   }
+  for (const auto& [body, rows] : sides) bodies_.push_back(body);
   matrix_.reset(first);
 }
 
@@ -94,13 +95,8 @@ void JointGroup::linearize(const JointedBodies& scene) {
     const Joint& joint = scene.joints[row.joint];
     if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
     placed = &joint;
-    row.terms = terms_of(row.plan.coordinate, joint, place, scene);
+    row.terms = terms_of(row.plan, joint, place, scene);
     row.scale = scale_of(row, scene);
-    if (row.plan.sign > 0) continue;
-    Term& term = row.terms.terms[0];
-    term.direction = -term.direction;
-    term.arm_a = -term.arm_a;
-    term.arm_b = -term.arm_b;
   }
 }
 
@@ -167,48 +163,9 @@ real JointGroup::factor_with(real give) {
   return matrix_.factor();
 }
 
-real JointGroup::value_of(const Row& row, const JointPlace& place, const JointedBodies& scene, real ahead) const {
-  const Joint& joint = scene.joints[row.joint];
-  const auto coordinate = [&]() -> real {
-    switch (row.plan.coordinate) {
-      case Coordinate::anchor_x:
-        return place.gap.x;
-      case Coordinate::anchor_y:
-        return place.gap.y;
-      case Coordinate::stretch:
-        return length(place.gap);
-      case Coordinate::across:
-        return across(place);
-      case Coordinate::along:
-        return along(place);
-      case Coordinate::turn:
-        return place.turn;
-      case Coordinate::geared:
-        return geared(joint, scene.joints, scene.bodies, scene.motions, ahead);
-      case Coordinate::roped:
-        return roped(joint, place);
-      case Coordinate::carried_x:
-      case Coordinate::carried_y:
-        return 0;
-    }
-    return 0;
-  };
-  return row.plan.sign * (coordinate() - row.plan.offset);
-}
-
-real JointGroup::speed_of_row(const Row& row, const std::vector<Motion>& motions) const {
-  const real speed = speed_of(row.terms.terms[0], motions);
-  return row.terms.count == 1 ? speed : speed + speed_of(row.terms.terms[1], motions);
-}
-
 void JointGroup::apply(Row& row, real impulse, const JointedBodies& scene) const {
-  push(row.terms.terms[0], impulse, scene.motions);
-  if (row.terms.count > 1) push(row.terms.terms[1], impulse, scene.motions);
+  push_joint(scene.joints[row.joint], row.terms, impulse, scene.motions);
   row.total += impulse;
-  Joint& joint = scene.joints[row.joint];
-  const Term& on_b = row.terms.terms[row.terms.count - 1];
-  joint.impulse += impulse * on_b.direction;
-  if (on_b.direction == Vec2{}) joint.twist += impulse * on_b.arm_b;
 }
 
 /// Motors give one half of their impulse before the drift and one half after it, as all forces do: what a motor holds
@@ -226,9 +183,9 @@ void JointGroup::begin_substep(const JointedBodies& scene, real h, real share) {
 void JointGroup::begin_motors(const JointedBodies& scene, real h, real share) {
   for (Row& row : rows_) {
     if (row.plan.bound != Bound::driven) continue;
-    const real most = h * strongest(row, scene);
+    const real most = h * strongest(row.plan, scene.joints[row.joint]);
     row.begun = share * std::clamp(memory(row, scene).impulse, -most, most);
-    row.speed_before = speed_of_row(row, scene.motions);
+    row.speed_before = speed_of(row.terms, scene.motions);
     work_ += static_cast<double>(row.begun * row.speed_before);
   }
 }
@@ -237,27 +194,23 @@ void JointGroup::begin_motors(const JointedBodies& scene, real h, real share) {
 void JointGroup::book_begun(const JointedBodies& scene) {
   for (Row& row : rows_) {
     if (row.plan.bound != Bound::driven) continue;
-    const real now = speed_of_row(row, scene.motions);
+    const real now = speed_of(row.terms, scene.motions);
     work_ += 0.5 * static_cast<double>(row.begun * (now - row.speed_before));
     row.speed_before = now;
   }
 }
 
-/// A kinematic body goes its way whatever pushes back; what it pushes the others with is work.
-double JointGroup::take_work(const JointedBodies& scene) {
-  const auto is_mover = [&](BodyIndex body) { return scene.bodies[body].type == BodyType::kinematic; };
-  for (Row& row : rows_) {
-    for (int t = 0; t < row.terms.count; ++t) {
-      const Term& term = row.terms.terms[t];
-      const Motion& a = scene.motions[term.body_a];
-      const Motion& b = scene.motions[term.body_b];
-      real speed = 0;
-      if (is_mover(term.body_a)) speed += dot(a.velocity, term.direction) + term.arm_a * a.spin;
-      if (is_mover(term.body_b)) speed -= dot(b.velocity, term.direction) + term.arm_b * b.spin;
-      work_ += static_cast<double>(row.total * speed);
-    }
-    row.total = 0;
+void JointGroup::hold(std::vector<Motion>& motions) const {
+  std::vector<real> impulses(rows_.size());
+  for (std::size_t r = 0; r < rows_.size(); ++r) impulses[r] = rows_[r].on ? -speed_of(rows_[r].terms, motions) : 0;
+  matrix_.solve(impulses);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    if (rows_[r].on) push(rows_[r].terms, impulses[r], motions);
   }
+}
+
+double JointGroup::take_work(const JointedBodies& scene) {
+  for (Row& row : rows_) work_ += work_of_movers(row.terms, std::exchange(row.total, real(0)), scene);
   return std::exchange(work_, 0);
 }
 

@@ -36,6 +36,11 @@ class JointGroup {
   void solve_positions(const JointedBodies& scene, real h);
   /// Changes velocities so that no joint is opening, and motors run at their speeds.
   void solve_velocities(const JointedBodies& scene, real h);
+  /// The least change of velocities after which the rows that held in the last stage stand still: how the joints answer
+  /// to pushes on bodies at rest. Books nothing.
+  void hold(std::vector<Motion>& motions) const;
+  /// The bodies its joints move, in order.
+  const std::vector<BodyIndex>& bodies() const { return bodies_; }
   /// What motors and moving kinematic bodies have put in since the last call, J.
   double take_work(const JointedBodies& scene);
 
@@ -81,12 +86,8 @@ class JointGroup {
     return scene.joints[row.joint].memory[row.slot];
   }
   real scale_of(const Row& row, const JointedBodies& scene) const;
-  real value_of(const Row& row, const JointPlace& place, const JointedBodies& scene, real ahead) const;
   void begin_motors(const JointedBodies& scene, real h, real share);
   void book_begun(const JointedBodies& scene);
-  real speed_of_row(const Row& row, const std::vector<Motion>& motions) const;
-  real wanted_speed(const Row& row, const JointedBodies& scene) const;
-  real strongest(const Row& row, const JointedBodies& scene) const;
   void apply(Row& row, real impulse, const JointedBodies& scene) const;
 
   // Positions (joint_group_positions.cpp).
@@ -107,6 +108,7 @@ class JointGroup {
   bool engage_overrun_rows(const JointedBodies& scene, real h, bool one_at_a_time);
 
   std::vector<Row> rows_;
+  std::vector<BodyIndex> bodies_;
   std::vector<Coupling> couplings_;
   SkylineMatrix matrix_;
   std::vector<real> right_side_;

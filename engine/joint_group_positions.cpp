@@ -26,7 +26,7 @@ void JointGroup::set_goals(const JointedBodies& scene, real h) {
     const Joint& joint = scene.joints[row.joint];
     if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
     placed = &joint;
-    const real now = value_of(row, place, scene, 0);
+    const real now = value_of(row.plan, joint, place, scene, 0);
     const real most = closing_rate * joint.size * std::abs(h);  // suzuki4 steps backwards, too
     const bool free_to_part = row.plan.bound == Bound::at_least && now > 0;
     row.goal = std::abs(now) > most && !free_to_part ? now - std::copysign(most, now) : 0;
@@ -52,7 +52,7 @@ real JointGroup::predict(const JointedBodies& scene, real h) {
       place = place_of(joint, scene.bodies, a, b);
     }
     placed = &joint;
-    row.miss = value_of(row, place, scene, h) - row.goal;
+    row.miss = value_of(row.plan, joint, place, scene, h) - row.goal;
     if (!row.on) continue;
     right_side_[r] = -row.miss / h;
     worst = std::max(worst, std::abs(row.miss) / row.scale);
@@ -134,10 +134,10 @@ void JointGroup::close_gently(const JointedBodies& scene, real h) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const Row& row = rows_[r];
       const Joint& joint = scene.joints[row.joint];
-      const real open = value_of(row, place_of(joint, scene.bodies, scene.motions), scene, 0);
+      const real open = value_of(row.plan, joint, place_of(joint, scene.bodies, scene.motions), scene, 0);
       const real most = closing_rate * joint.size;
       const real closing = std::clamp(real(0.1) * open / h, -most, most);
-      right_side_[r] = row.on ? -speed_of_row(row, scene.motions) - closing : 0;
+      right_side_[r] = row.on ? -speed_of(row.terms, scene.motions) - closing : 0;
     }
     matrix_.solve(right_side_);
   } while (drop_pulling_rows(scene));

@@ -8,35 +8,21 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
-real JointGroup::wanted_speed(const Row& row, const JointedBodies& scene) const {
-  if (row.plan.bound != Bound::driven) return 0;
-  const Joint& joint = scene.joints[row.joint];
-  if (row.plan.coordinate == Coordinate::carried_x) return joint.velocity.x;
-  if (row.plan.coordinate == Coordinate::carried_y) return joint.velocity.y;
-  return joint.motor->speed;
-}
-
-real JointGroup::strongest(const Row& row, const JointedBodies& scene) const {
-  const Joint& joint = scene.joints[row.joint];
-  const bool carries = row.plan.coordinate == Coordinate::carried_x || row.plan.coordinate == Coordinate::carried_y;
-  return carries ? joint.max_force : joint.motor->strongest;
-}
-
 void JointGroup::add_share(const JointedBodies& scene) {
   if (driven_ == 0) return;
   for (Row& row : rows_) {
     if (row.plan.bound != Bound::driven) continue;
-    const real before = speed_of_row(row, scene.motions);
+    const real before = speed_of(row.terms, scene.motions);
     apply(row, row.begun, scene);
     row.pushed += row.begun;
-    work_ += static_cast<double>(row.begun * real(0.5) * (before + speed_of_row(row, scene.motions)));
+    work_ += static_cast<double>(row.begun * real(0.5) * (before + speed_of(row.terms, scene.motions)));
   }
 }
 
 void JointGroup::solve_velocities(const JointedBodies& scene, real h) {
   prepare(scene, true);
   if (one_sided_ + driven_ > 0) return solve_bounded_velocities(scene, h);
-  for (std::size_t r = 0; r < rows_.size(); ++r) right_side_[r] = -speed_of_row(rows_[r], scene.motions);
+  for (std::size_t r = 0; r < rows_.size(); ++r) right_side_[r] = -speed_of(rows_[r].terms, scene.motions);
   matrix_.solve(right_side_);
   for (std::size_t r = 0; r < rows_.size(); ++r) apply(rows_[r], right_side_[r], scene);
 }
@@ -45,7 +31,7 @@ void JointGroup::solve_velocities(const JointedBodies& scene, real h) {
 /// would be enormous, and would cost the others their last digits.
 void JointGroup::solve_bounded_velocities(const JointedBodies& scene, real h) {
   for (Row& row : rows_) {
-    row.speed_before = speed_of_row(row, scene.motions);
+    row.speed_before = speed_of(row.terms, scene.motions);
     row.pushed_before = row.pushed;
   }
   for (int round = 1; round < most_rounds(one_sided_ + driven_); ++round) {
@@ -65,7 +51,7 @@ void JointGroup::solve_bounded_velocities(const JointedBodies& scene, real h) {
     if (row.plan.bound != Bound::driven) continue;
     memory(row, scene).impulse = row.begun + row.pushed;
     // Impulses on a linear system do work by the mean of the speeds before and after, whatever comes between.
-    const real speed = real(0.5) * (row.speed_before + speed_of_row(row, scene.motions));
+    const real speed = real(0.5) * (row.speed_before + speed_of(row.terms, scene.motions));
     work_ += static_cast<double>((row.pushed - row.pushed_before) * speed);
   }
 }
@@ -78,7 +64,7 @@ bool JointGroup::any_bounded_row_on() const {
 void JointGroup::find_corrections(const JointedBodies& scene) {
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Row& row = rows_[r];
-    right_side_[r] = row.on ? wanted_speed(row, scene) - speed_of_row(row, scene.motions) : 0;
+    right_side_[r] = row.on ? wanted_speed(row.plan, scene.joints[row.joint]) - speed_of(row.terms, scene.motions) : 0;
   }
   matrix_.solve(right_side_);
 }
@@ -101,7 +87,7 @@ bool JointGroup::bound_corrections(const JointedBodies& scene, real h, bool one_
     if (!row.on || row.plan.bound == Bound::equal || (changed && one_at_a_time)) continue;
     RowMemory& kept = memory(row, scene);
     const bool driven = row.plan.bound == Bound::driven;
-    const real most = driven ? h * strongest(row, scene) : 0;
+    const real most = driven ? h * strongest(row.plan, scene.joints[row.joint]) : 0;
     const real given = row.pushed + (driven ? row.begun : kept.impulse);
     const real wanted = given + right_side_[r];
     const real allowed = driven ? std::clamp(wanted, -most, most) : std::max(wanted, real(0));
@@ -124,7 +110,7 @@ bool JointGroup::engage_overrun_rows(const JointedBodies& scene, real h, bool on
   for (Row& row : rows_) {
     if (row.on || row.plan.bound == Bound::equal || (changed && one_at_a_time)) continue;
     const real tolerance = row_tolerance * row.scale / h;
-    const real lacking = wanted_speed(row, scene) - speed_of_row(row, scene.motions);
+    const real lacking = wanted_speed(row.plan, scene.joints[row.joint]) - speed_of(row.terms, scene.motions);
     const bool driven = row.plan.bound == Bound::driven;
     if (driven ? static_cast<real>(row.at_bound) * lacking >= -tolerance : !row.touched || lacking <= tolerance)
       continue;

@@ -42,7 +42,9 @@ std::vector<RowPlan> plan_rows(const Joint& joint, RowsWanted wanted) {
   return rows;
 }
 
-Terms terms_of(Coordinate coordinate, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+namespace {
+
+Terms terms_along(Coordinate coordinate, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
   switch (coordinate) {
     case Coordinate::anchor_x:
       return {{anchor_term(joint, place, {1, 0}), {}}, 1};
@@ -66,6 +68,80 @@ Terms terms_of(Coordinate coordinate, const Joint& joint, const JointPlace& plac
       return pulley_terms(joint, place);
   }
   return {};
+}
+
+real coordinate_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
+                   real ahead) {
+  switch (plan.coordinate) {
+    case Coordinate::anchor_x:
+      return place.gap.x;
+    case Coordinate::anchor_y:
+      return place.gap.y;
+    case Coordinate::stretch:
+      return length(place.gap);
+    case Coordinate::across:
+      return across(place);
+    case Coordinate::along:
+      return along(place);
+    case Coordinate::turn:
+      return place.turn;
+    case Coordinate::geared:
+      return geared(joint, scene.joints, scene.bodies, scene.motions, ahead);
+    case Coordinate::roped:
+      return roped(joint, place);
+    case Coordinate::carried_x:
+    case Coordinate::carried_y:
+      return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+  Terms terms = terms_along(plan.coordinate, joint, place, scene);
+  if (plan.sign > 0) return terms;
+  for (Term& term : terms.terms) term = {term.body_a, term.body_b, -term.direction, -term.arm_a, -term.arm_b};
+  return terms;
+}
+
+real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
+              real ahead) {
+  return plan.sign * (coordinate_of(plan, joint, place, scene, ahead) - plan.offset);
+}
+
+real wanted_speed(const RowPlan& plan, const Joint& joint) {
+  if (plan.bound != Bound::driven) return 0;
+  if (plan.coordinate == Coordinate::carried_x) return joint.velocity.x;
+  if (plan.coordinate == Coordinate::carried_y) return joint.velocity.y;
+  return joint.motor->speed;
+}
+
+real strongest(const RowPlan& plan, const Joint& joint) {
+  const bool carries = plan.coordinate == Coordinate::carried_x || plan.coordinate == Coordinate::carried_y;
+  return carries ? joint.max_force : joint.motor->strongest;
+}
+
+void push_joint(Joint& joint, const Terms& terms, real impulse, std::vector<Motion>& motions) {
+  push(terms, impulse, motions);
+  const Term& on_b = terms.terms[terms.count - 1];
+  joint.impulse += impulse * on_b.direction;
+  if (on_b.direction == Vec2{}) joint.twist += impulse * on_b.arm_b;
+}
+
+double work_of_movers(const Terms& terms, real impulse, const JointedBodies& scene) {
+  const auto is_mover = [&](BodyIndex body) { return scene.bodies[body].type == BodyType::kinematic; };
+  double work = 0;
+  for (int t = 0; t < terms.count; ++t) {
+    const Term& term = terms.terms[t];
+    const Motion& a = scene.motions[term.body_a];
+    const Motion& b = scene.motions[term.body_b];
+    real speed = 0;
+    if (is_mover(term.body_a)) speed += dot(a.velocity, term.direction) + term.arm_a * a.spin;
+    if (is_mover(term.body_b)) speed -= dot(b.velocity, term.direction) + term.arm_b * b.spin;
+    work += static_cast<double>(impulse * speed);
+  }
+  return work;
 }
 
 Terms bodies_of(const Joint& joint, const std::vector<Joint>& joints) {

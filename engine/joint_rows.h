@@ -76,8 +76,31 @@ struct Terms {
   int count = 1;
 };
 
-/// dC/dt of a coordinate, from where the joint stands.
-Terms terms_of(Coordinate coordinate, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
+inline real speed_of(const Terms& terms, const std::vector<Motion>& motions) {
+  const real speed = speed_of(terms.terms[0], motions);
+  return terms.count == 1 ? speed : speed + speed_of(terms.terms[1], motions);
+}
+
+inline void push(const Terms& terms, real impulse, std::vector<Motion>& motions) {
+  for (int t = 0; t < terms.count; ++t) push(terms.terms[t], impulse, motions);
+}
+
+/// dC/dt of a row, from where the joint stands.
+Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
+
+/// C of a row: at the place that the joint has or, what is not seen from there, `ahead` seconds from now.
+real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene, real ahead);
+
+/// The speed a driven row is to have; 0 for all others.
+real wanted_speed(const RowPlan& plan, const Joint& joint);
+/// The most that a driven row may give, N or N m.
+real strongest(const RowPlan& plan, const Joint& joint);
+
+/// Applies a row's impulse, which the joint keeps for its reaction.
+void push_joint(Joint& joint, const Terms& terms, real impulse, std::vector<Motion>& motions);
+
+/// A kinematic body goes its way whatever pushes back: what it pushes the others with is work, J.
+double work_of_movers(const Terms& terms, real impulse, const JointedBodies& scene);
 
 /// The bodies its terms move, without looking where they are.
 Terms bodies_of(const Joint& joint, const std::vector<Joint>& joints);

@@ -70,6 +70,7 @@ class JointGraph {
 }  // namespace
 
 void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted) {
+  if (method_ == JointMethod::iterative) return sweeps_.rebuild(joints, wanted);
   groups_.clear();
   for (const Ids& ids : JointGraph(joints, motions).groups()) {
     JointGroup group(ids, joints, motions, wanted);
@@ -79,26 +80,31 @@ void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Mo
 
 void JointSolver::linearize(const JointedBodies& scene) {
   for (JointGroup& group : groups_) group.linearize(scene);
+  sweeps_.linearize(scene);
 }
 
 void JointSolver::begin_substep(const JointedBodies& scene, real h, real share) {
   for (JointGroup& group : groups_) group.begin_substep(scene, h, share);
+  sweeps_.begin_substep(scene, share);
 }
 
-void JointSolver::add_share(const JointedBodies& scene) {
+void JointSolver::add_share(const JointedBodies& scene, real share) {
   for (JointGroup& group : groups_) group.add_share(scene);
+  sweeps_.add_share(scene, share);
 }
 
 void JointSolver::solve_positions(const JointedBodies& scene, real h) {
   for (JointGroup& group : groups_) group.solve_positions(scene, h);
+  sweeps_.solve_positions(scene, h);
 }
 
 void JointSolver::solve_velocities(const JointedBodies& scene, real h) {
   for (JointGroup& group : groups_) group.solve_velocities(scene, h);
+  sweeps_.solve_velocities(scene, h);
 }
 
 double JointSolver::take_work(const JointedBodies& scene) {
-  double work = 0;
+  double work = sweeps_.take_work(scene);
   for (JointGroup& group : groups_) work += group.take_work(scene);
   return work;
 }

@@ -10,26 +10,36 @@
 #include <vector>
 
 #include "engine/joint_group.h"
+#include "engine/joint_sweeps.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
+/// Or, as the method wants it, row by row (joint_sweeps.h).
 class JointSolver {
  public:
+  explicit JointSolver(JointMethod method) : method_(method) {}
   /// Groups and numbers the rows anew. Call when joints or bodies come or go.
   void rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted);
-  bool empty() const { return groups_.empty(); }
+  bool empty() const { return groups_.empty() && sweeps_.empty(); }
 
-  // All groups, one after the other; what each of these does is told in joint_group.h.
+  // One group of the direct solver: who is in it, and how it answers (joint_group.h).
+  std::size_t group_count() const { return groups_.size(); }
+  const std::vector<BodyIndex>& bodies_of(std::size_t group) const { return groups_[group].bodies(); }
+  void hold(std::size_t group, std::vector<Motion>& motions) const { groups_[group].hold(motions); }
+
+  // All joints; what each of these does is told in joint_group.h.
   void linearize(const JointedBodies& scene);
   void begin_substep(const JointedBodies& scene, real h, real share);
-  void add_share(const JointedBodies& scene);
+  void add_share(const JointedBodies& scene, real share);
   void solve_positions(const JointedBodies& scene, real h);
   void solve_velocities(const JointedBodies& scene, real h);
   double take_work(const JointedBodies& scene);
 
  private:
-  std::vector<JointGroup> groups_;
+  JointMethod method_;
+  std::vector<JointGroup> groups_;  ///< direct
+  JointSweeps sweeps_;              ///< iterative
 };
 
 }  // namespace PROOFREEL_PRECISION

@@ -37,6 +37,7 @@ class RollingRows {
   void end_substep();
   void store(const std::vector<ContactConstraint>& constraints, std::vector<Contact>& contacts) const;
   const std::vector<Row>& rows() const { return rows_; }
+  std::vector<Row>& rows() { return rows_; }
 
  private:
   std::vector<Row> rows_;

@@ -188,14 +188,39 @@ using ForceField = std::function<Vec2d(Vec2d at, Vec2d velocity, double time)>;
 enum class Integrator : std::uint8_t { symplectic_euler, verlet, suzuki4, rk4, implicit_midpoint, gauss_legendre6 };
 enum class Precision : std::uint8_t { float32, float64 };
 
-/// How a scene is solved. What is not offered here is not built, and the scenario language says so.
+/// How contacts and their friction are solved.
+enum class ContactMethod : std::uint8_t {
+  soft_step,            ///< contacts are stiff damped springs, and what they push too much is taken back
+  sequential_impulses,  ///< one contact after the other, overlap driven out by velocity (as taught: Baumgarte)
+  ngs,                  ///< the same, overlap taken out of the positions afterwards (nonlinear Gauss-Seidel)
+  exact,                ///< all contacts of a small group at once, exactly: the truth the others are measured against
+  event                 ///< as exact, and every impact at its own time
+};
+
+/// How rigid joints are solved.
+enum class JointMethod : std::uint8_t {
+  direct,    ///< all rows of a connected group at once, exactly
+  iterative  ///< one row after the other (as taught)
+};
+
+/// How a scene is solved.
 struct Method {
   Integrator integrator = Integrator::verlet;
+  ContactMethod contact_solver = ContactMethod::soft_step;
+  JointMethod joint_solver = JointMethod::direct;
   int substeps = 2;                  ///< per tick, at least 1
-  int iterations = 1;                ///< solver sweeps per substep, at least 1
+  std::optional<int> iterations;     ///< solver sweeps per substep, at least 1; without it, see `sweeps_per_substep`
   std::optional<double> contact_hz;  ///< stiffness of contacts; without it, 0.125 per substep
   Precision precision = Precision::float64;
 };
+
+/// How many sweeps the solvers make in a substep: as many as the method says, else 8 for those that approach the
+/// solution sweep by sweep, and 1 for the others.
+inline int sweeps_per_substep(const Method& method) {
+  const bool approaches = method.contact_solver == ContactMethod::sequential_impulses ||
+                          method.contact_solver == ContactMethod::ngs || method.joint_solver == JointMethod::iterative;
+  return method.iterations.value_or(approaches ? 8 : 1);
+}
 
 /// What acts in a scene. A stage nobody needs is not run.
 enum class Effect : std::uint8_t {

@@ -37,6 +37,8 @@ World::World(const Scene& scene)
       gravitational_constant_(scene.gravitational_constant.value_or(0)),
       listed_effects_(scene.effects),
       census_(scene),
+      contact_solver_(scene.method.contact_solver),
+      joint_solver_(scene.method.joint_solver),
       water_(scene.water),
       fields_(scene.fields) {
   bodies_.emplace_back().name = "world";
@@ -63,8 +65,8 @@ void World::step() {
 void World::step_in_stages() {
   if (on(Effect::contacts)) find_contacts();
   prepare_solvers();
-  for (int i = 0; i < method_.substeps; ++i) advance(h_);
-  timed(StepStage::motion, [this] { book_work(); });
+  for (int i = 0; i < method_.substeps; ++i) locates_impacts() ? pass_impacts(h_) : advance(h_);
+  if (!locates_impacts()) timed(StepStage::motion, [this] { book_work(); });
   timed(StepStage::motion, [this] { end_tick(); });
   break_joints();
   collect_events();
@@ -137,6 +139,9 @@ void World::prepare_solvers() {
       const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
       contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
                               {on(Effect::friction), on(Effect::rolling_resistance), on(Effect::surface_speed)});
+      if (is_exact()) {
+        exact_contacts_.prepare(contact_solver_, has_rigid_joints() ? &joint_solver_ : nullptr, motions_);
+      }
     });
   }
   if (on(Effect::joints)) {
@@ -149,9 +154,9 @@ void World::prepare_solvers() {
 /// same halves and in mirrored order: there positions and velocities belong to one time, so that the work done is
 /// booked exactly.
 void World::substep(real h) {
-  const bool verlet = method_.integrator != Integrator::symplectic_euler;
+  const bool verlet = is_verlet();
   const real share = verlet ? real(0.5) : real(1);
-  if (on(Effect::restitution)) timed(StepStage::restitution, [&] { bounce(h); });
+  if (on(Effect::restitution) && !locates_impacts()) timed(StepStage::restitution, [&] { bounce(h); });
   if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
   if (verlet) pull_and_damp(share * h);
   if (verlet) slow_down(share * h);
@@ -162,12 +167,13 @@ void World::substep(real h) {
   kick(share * h);
   solve(h, share);
   timed(StepStage::motion, [&] { drift_all(h); });
+  push_out();
   if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
   if (on(Effect::field)) timed(StepStage::field, [&] { book_fields(h, share); });
   if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(jointed()); });
   if (verlet) kick(share * h);
   if (on(Effect::field) && verlet) timed(StepStage::field, [&] { finish_fields(h); });
-  if (verlet && on(Effect::contacts)) add_shares(share);
+  if (verlet) add_shares(share);
   thrust(share * h);
   wade(share * h);
   slow_down(share * h);
@@ -183,8 +189,9 @@ void World::pull_and_damp(real h) {
 /// Under verlet loads come in two halves: before they are relaxed contacts and motors get the second half of what held
 /// them in the substep before, all at once, since neither could hold its load while the other has not begun to.
 void World::add_shares(real share) {
-  contact_solver_.add_share(motions_, share);
-  if (on(Effect::joints)) joint_solver_.add_share(jointed());
+  const bool in_turns = on(Effect::contacts) || method_.joint_solver == JointMethod::iterative;
+  if (on(Effect::contacts)) contact_solver_.add_share(motions_, share);
+  if (on(Effect::joints) && in_turns) joint_solver_.add_share(jointed(), share);
 }
 
 void World::slow_down(real h) {
@@ -215,34 +222,73 @@ void World::kick(real h) {
 
 /// Velocities that lead to where contacts and joints want the bodies after the drift.
 void World::solve(real h, real share) {
-  const bool joints = on(Effect::joints) && !joint_solver_.empty();
   contact_solver_.begin_substep(motions_, share);
-  if (joints) joint_solver_.begin_substep(jointed(), h, share);
-  for (int i = 0; i < method_.iterations; ++i) {
-    if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.solve(motions_, h); });
-    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
+  if (has_rigid_joints()) joint_solver_.begin_substep(jointed(), h, share);
+  for (int i = 0; i < sweeps_per_substep(method_); ++i) {
+    if (on(Effect::contacts) && !is_exact()) {
+      timed(StepStage::contact_solver, [&] { contact_solver_.solve(motions_, h); });
+    }
+    if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
+  }
+  if (on(Effect::contacts) && is_exact()) solve_exactly(h);
+}
+
+/// Joints answer to the contacts within the solution; what turning leaves open of both is closed by going round again.
+void World::solve_exactly(real h) {
+  const JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
+  for (int round = 0; round < 2; ++round) {
+    timed(StepStage::contact_solver,
+          [&] { exact_contacts_.solve_positions(contact_solver_, joints, motions_, h, reach_of_contacts()); });
+    if (!exact_contacts_.moves_joints()) return;
+    timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
   }
 }
 
-/// Takes out of the velocities what was only there to correct positions.
+void World::push_out() {
+  if (!on(Effect::contacts) || method_.contact_solver != ContactMethod::ngs) return;
+  timed(StepStage::contact_solver, [&] {
+    for (int i = 0; i < sweeps_per_substep(method_); ++i) contact_solver_.push_out(motions_);
+  });
+}
+
+/// Takes out of the velocities what was only there to correct positions, and under verlet what the second half of the
+/// forces has put in.
 void World::relax(real h) {
-  const bool joints = on(Effect::joints) && !joint_solver_.empty();
-  for (int i = 0; i < method_.iterations; ++i) {
-    if (on(Effect::contacts)) timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });
-    if (joints) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
+  const bool soft = method_.contact_solver == ContactMethod::soft_step;
+  for (int i = 0; i < sweeps_per_substep(method_); ++i) {
+    if (on(Effect::contacts) && (soft || (is_verlet() && !is_exact()))) {
+      timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });
+    }
+    if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
   }
+  if (on(Effect::contacts) && is_exact()) relax_exactly(h);
   contact_solver_.end_substep();
+}
+
+void World::relax_exactly(real h) {
+  const JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
+  for (int round = 0; round < 2; ++round) {
+    timed(StepStage::contact_solver,
+          [&] { exact_contacts_.solve_velocities(contact_solver_, joints, motions_, reach_of_contacts()); });
+    if (!exact_contacts_.moves_joints()) return;
+    timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
+  }
 }
 
 void World::end_tick() {
   if (on(Effect::contacts)) contact_solver_.store(contacts_);
+  if (locates_impacts()) show_touches();
+  take_positions();
+  for (const Push& push : pushed_) accelerations_[push.body] = acceleration_of(push.body);
+  if (!on(Effect::gravity)) accelerations_.clear();
+  pushed_.clear();
+}
+
+void World::take_positions() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     bodies_[i].center += motions_[i].delta;
     motions_[i].delta = {};
   }
-  for (const Push& push : pushed_) accelerations_[push.body] = acceleration_of(push.body);
-  if (!on(Effect::gravity)) accelerations_.clear();
-  pushed_.clear();
 }
 
 bool World::hinged_together(BodyIndex a, BodyIndex b) const {

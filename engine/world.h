@@ -9,9 +9,11 @@
 
 #include "engine/broad_phase.h"
 #include "engine/buoyancy.h"
+#include "engine/closing.h"
 #include "engine/contact.h"
 #include "engine/contact_solver.h"
 #include "engine/effects.h"
+#include "engine/exact_contacts.h"
 #include "engine/field.h"
 #include "engine/free_motion.h"
 #include "engine/joint.h"
@@ -73,8 +75,12 @@ class World final : public Simulation {
   void kick(real h);
   void solve(real h, real share);
   void add_shares(real share);
+  void solve_exactly(real h);
+  void push_out();
   void relax(real h);
+  void relax_exactly(real h);
   void end_tick();
+  void take_positions();
   void book_work();
   void break_joints();
   void collect_events();
@@ -85,6 +91,7 @@ class World final : public Simulation {
   void find_pairs();
   void update_boxes();
   void drop_parted_contacts();
+  void add_new_pairs();
   void update_manifolds();
   void fly_all();
   void bounce(real h);
@@ -113,6 +120,32 @@ class World final : public Simulation {
   double field_time() const;
   void book_surfaces();
   double potential_of_water() const;
+
+  // Impacts at their own times (world_impacts.cpp).
+  /// What a substep changes and nobody can compute back.
+  struct Trial {
+    std::vector<Motion> motions;
+    std::vector<Joint> joints;
+    JointSolver joint_solver;
+    ContactSolver contact_solver;
+    double booked_work = 0;
+  };
+  /// What a contact has pressed with during a tick, and where.
+  struct Touch {
+    Manifold manifold;
+    PointImpulse impulses[2];
+  };
+  void pass_impacts(real h);
+  void begin_portion();
+  void end_portion();
+  Trial keep_state() const;
+  void go_back_to(const Trial& trial);
+  void bounce_what_touches(real h);
+  real first_impact(const std::vector<Motion>& before, real span) const;
+  real time_of_contact(const Contact& contact, const ContactConstraint* constraint, const Flight& a, const Flight& b,
+                       real span) const;
+  static void add_touch(Touch& touch, const Contact& contact);
+  void show_touches();
 
   // Commands (world_commands.cpp).
   void execute(const CreateBody& command);
@@ -152,6 +185,15 @@ class World final : public Simulation {
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
+  bool is_verlet() const { return method_.integrator != Integrator::symplectic_euler; }
+  bool locates_impacts() const { return method_.contact_solver == ContactMethod::event && on(Effect::contacts); }
+  bool is_exact() const {
+    return method_.contact_solver == ContactMethod::exact || method_.contact_solver == ContactMethod::event;
+  }
+  ExactContacts::Reach reach_of_contacts() const {
+    return locating_ ? ExactContacts::Reach::closed : ExactContacts::Reach::all;
+  }
+  bool has_rigid_joints() const { return on(Effect::joints) && !joint_solver_.empty(); }
   bool on(Effect effect) const { return effects_.has(effect); }
   /// Runs a part of the step; somebody may want to know how long it takes.
   template <typename Part>
@@ -188,11 +230,14 @@ class World final : public Simulation {
   BroadPhase broad_phase_;
   std::vector<Contact> contacts_;
   ContactSolver contact_solver_;
+  ExactContacts exact_contacts_;
   JointSolver joint_solver_;
   SmoothIntegrator smooth_integrator_;
   std::vector<Motion> pulled_;                ///< scratch: places of now, velocities that forces would give in a second
   bool diverged_ = false;                     ///< an implicit integrator found no solution
   std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies whose joint lets them overlap
+  std::vector<Touch> touches_;                ///< by contact, during a tick
+  bool locating_ = false;                     ///< impacts are located: nothing is held back before it touches
   std::vector<ContactEvent> events_;
   std::vector<BreakEvent> break_events_;
   std::optional<WaterDef> water_;

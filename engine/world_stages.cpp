@@ -13,6 +13,10 @@ inline namespace PROOFREEL_PRECISION {
 void World::find_pairs() {
   update_boxes();
   drop_parted_contacts();
+  add_new_pairs();
+}
+
+void World::add_new_pairs() {
   for (const ShapePair pair : broad_phase_.new_pairs(shapes_, bodies_)) {
     Contact contact;
     contact.shape_a = pair.a;
@@ -25,14 +29,17 @@ void World::find_pairs() {
   }
 }
 
+/// Boxes reach as far as their shapes may go within the tick. Where impacts are located that is to the end, also for
+/// what only begins to fall.
 void World::update_boxes() {
+  const real fall = locates_impacts() ? dt_ * dt_ * length(effective_gravity()) : real(0);
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     if (!shape.alive || bodies_[shape.body].type == BodyType::fixed) continue;
     const Motion& motion = motions_[shape.body];
     const real turn =
         std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
-    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach);
+    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach + fall);
     broad_phase_.move(i, shape, box, dt_ * motion.velocity);
   }
 }

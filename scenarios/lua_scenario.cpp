@@ -25,9 +25,8 @@ constexpr Name golden_keys[] = {{"frames"}, {"size"}};
 constexpr Name theme_names[] = {{"light"}, {"dark"}, {"print"}};
 constexpr Name integrator_names[] = {{"symplectic_euler"},  {"verlet"},         {"suzuki4"}, {"rk4"},
                                      {"implicit_midpoint"}, {"gauss_legendre6"}};
-constexpr Name contact_solver_names[] = {
-    {"soft_step"}, {"sequential_impulses", false}, {"ngs", false}, {"exact", false}, {"event", false}};
-constexpr Name joint_solver_names[] = {{"direct"}, {"iterative", false}};
+constexpr Name contact_solver_names[] = {{"soft_step"}, {"sequential_impulses"}, {"ngs"}, {"exact"}, {"event"}};
+constexpr Name joint_solver_names[] = {{"direct"}, {"iterative"}};
 constexpr Name precision_names[] = {{"single"}, {"double"}};
 constexpr Name effect_names[] = {{"gravity"},        {"springs"}, {"contacts"},  {"friction"},
                                  {"restitution"},    {"ccd"},     {"joints"},    {"sensors"},
@@ -201,11 +200,13 @@ void read_method(const Fields& fields, Method& method) {
   constexpr int most = 10000;
   if (const auto index = fields.choice("integrator", integrator_names))
     method.integrator = static_cast<Integrator>(*index);
-  fields.choice("contact_solver", contact_solver_names);
-  fields.choice("joint_solver", joint_solver_names);
+  if (const auto index = fields.choice("contact_solver", contact_solver_names))
+    method.contact_solver = static_cast<ContactMethod>(*index);
+  if (const auto index = fields.choice("joint_solver", joint_solver_names))
+    method.joint_solver = static_cast<JointMethod>(*index);
   if (const auto index = fields.choice("precision", precision_names)) method.precision = static_cast<Precision>(*index);
   method.substeps = static_cast<int>(fields.integer("substeps", 1, most).value_or(method.substeps));
-  method.iterations = static_cast<int>(fields.integer("iterations", 1, most).value_or(method.iterations));
+  if (const auto count = fields.integer("iterations", 1, most)) method.iterations = static_cast<int>(*count);
   method.contact_hz = fields.number("contact_hz", Range::positive);
 }
 

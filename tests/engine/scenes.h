@@ -2,6 +2,8 @@
 
 /// Small scenes for the tests of the engine, built the way a scenario would build them.
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "engine/simulation.h"

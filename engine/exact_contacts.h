@@ -1,0 +1,85 @@
+#pragma once
+
+/// Contacts and friction solved exactly, group by group: all points that hang together through bodies and joints at
+/// once, so that neither the order of the contacts, nor the ratio of the masses, nor a number of sweeps shows in the
+/// result. It is the truth the other contact solvers are measured against, and slow.
+///
+/// For every point: the gap after the drift (before it: the speed of parting) is not negative, nor is the impulse, and
+/// one of the two is 0 (Signorini 1933). For friction: the slip is 0 as long as the impulse stays within mu times the
+/// normal impulse, else it opposes the slip with all of that (Coulomb 1785), which two impulses along +t and -t and the
+/// slip's magnitude turn into a linear complementarity problem (Anitescu and Potra 1997). The matrix tells what speed
+/// at one point a unit impulse at another one causes; joints take their share in it, for they answer at once.
+///
+/// In time it is what joints do (joint_solver.h): impulses before the drift that lead the positions to where they may
+/// be, and after the second half of the forces the velocities are put right.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/contact_solver.h"
+#include "engine/joint_solver.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+class ExactContacts {
+ public:
+  /// Which gaps are looked at.
+  enum class Reach : std::uint8_t {
+    all,    ///< what would overlap after the drift is held back, and stays where it has arrived
+    closed  ///< only what touches before the drift: all others are impacts, which somebody else locates
+  };
+
+  /// Groups the contacts and makes their rows. Once per tick, after `contacts.prepare`. Joints take part if there are
+  /// any.
+  void prepare(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
+  /// Changes velocities so that drifting for `h` leaves no overlap. Joints must have been solved for positions.
+  void solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions, real h,
+                       Reach reach);
+  /// Changes velocities so that nothing that touches approaches. Joints must have been solved for velocities.
+  void solve_velocities(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions, Reach reach);
+  /// Whether a group of contacts moves jointed bodies, whose joints have to be solved again after it.
+  bool moves_joints() const { return moves_joints_; }
+
+ private:
+  enum class Kind : std::uint8_t { gap, slip, roll };
+  /// One number that is kept: the gap of a point, a slip that friction holds, a roll that rolling resistance holds.
+  struct Row {
+    Kind kind = Kind::gap;
+    std::size_t constraint = 0;
+    std::size_t place = 0;  ///< of the point in the constraint, or of the rolling row
+    Term term;
+    std::size_t first_gap = 0;  ///< slip, roll: the rows whose impulses bound this one
+    std::size_t gap_count = 0;
+    real coefficient = 0;  ///< of that bound: of friction, or the lever in m
+    real bias = 0;         ///< added to the speed
+    real given = 0;        ///< impulse of this substep so far
+    bool off = false;      ///< a gap that is open: takes no impulse
+  };
+  struct Group {
+    std::vector<Row> rows;
+    std::vector<std::size_t> joint_groups;
+    std::vector<double>
+        response;  ///< speed along row i per impulse along row j, at i * rows + j; empty where not needed
+  };
+
+  class Problem;
+
+  void group_by_bodies(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
+  void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
+  void add_rolling(const ContactSolver& contacts);
+  real set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach);
+  void solve_all(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions);
+  void find_responses(Group& group, const JointSolver* joints, const std::vector<Motion>& motions);
+  void try_responses(Group& group, const JointSolver& joints, const std::vector<Motion>& motions);
+  bool solve_by_pivots(Group& group, std::vector<Motion>& motions) const;
+  void solve_by_sweeps(Group& group, std::vector<Motion>& motions) const;
+
+  std::vector<Group> groups_;
+  std::vector<std::size_t> group_of_;  ///< of every constraint
+  std::vector<Motion> scratch_;
+  bool moves_joints_ = false;
+};
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

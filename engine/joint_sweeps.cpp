@@ -1,0 +1,115 @@
+#include "engine/joint_sweeps.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// The part of a gap that is closed in one substep.
+constexpr real baumgarte = real(0.2);
+
+/// What a row's speed changes by for a unit impulse along it. A gear may move one body by both of its terms.
+real response_of(const Terms& terms, const std::vector<Motion>& motions) {
+  real sum = 0;
+  for (int t = 0; t < terms.count; ++t) {
+    for (int u = 0; u < terms.count; ++u) {
+      const Term& one = terms.terms[t];
+      const Term& other = terms.terms[u];
+      const auto add = [&](BodyIndex body, real sign, real arm, real other_arm) {
+        const Motion& m = motions[body];
+        sum += sign * (m.inv_mass * dot(one.direction, other.direction) + m.inv_inertia * arm * other_arm);
+      };
+      if (one.body_a == other.body_a) add(one.body_a, 1, one.arm_a, other.arm_a);
+      if (one.body_b == other.body_b) add(one.body_b, 1, one.arm_b, other.arm_b);
+      if (one.body_a == other.body_b) add(one.body_a, -1, one.arm_a, other.arm_b);
+      if (one.body_b == other.body_a) add(one.body_b, -1, one.arm_b, other.arm_a);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+void JointSweeps::rebuild(const std::vector<Joint>& joints, RowsWanted wanted) {
+  rows_.clear();
+  for (std::uint32_t i = 0; i < joints.size(); ++i) {
+    if (!joints[i].alive || is_soft(joints[i].kind)) continue;
+    const std::vector<RowPlan> plans = plan_rows(joints[i], wanted);
+    for (std::size_t slot = 0; slot < plans.size(); ++slot) {
+      Row& row = rows_.emplace_back();
+      row.joint = i;
+      row.slot = slot;
+      row.plan = plans[slot];
+    }
+  }
+}
+
+void JointSweeps::linearize(const JointedBodies& scene) {
+  for (Row& row : rows_) {
+    const Joint& joint = scene.joints[row.joint];
+    const JointPlace place = place_of(joint, scene.bodies, scene.motions);
+    row.terms = terms_of(row.plan, joint, place, scene);
+    row.value = row.plan.bound == Bound::driven ? 0 : value_of(row.plan, joint, place, scene, 0);
+    const real response = response_of(row.terms, scene.motions);
+    row.mass = response > 0 ? 1 / response : 0;
+  }
+}
+
+void JointSweeps::apply(Row& row, real impulse, const JointedBodies& scene) {
+  const bool driven = row.plan.bound == Bound::driven;
+  const real before = driven ? speed_of(row.terms, scene.motions) : 0;
+  push_joint(scene.joints[row.joint], row.terms, impulse, scene.motions);
+  if (driven) work_ += static_cast<double>(impulse * real(0.5) * (before + speed_of(row.terms, scene.motions)));
+  row.given += impulse;
+  row.total += impulse;
+}
+
+void JointSweeps::begin_substep(const JointedBodies& scene, real share) {
+  for (Row& row : rows_) {
+    row.warm = scene.joints[row.joint].memory[row.slot].impulse;
+    row.given = 0;
+  }
+  add_share(scene, share);
+}
+
+void JointSweeps::add_share(const JointedBodies& scene, real share) {
+  for (Row& row : rows_) apply(row, share * row.warm, scene);
+}
+
+/// `bias` is the speed that is wanted beyond standing still.
+void JointSweeps::solve(Row& row, real bias, const JointedBodies& scene, real h) {
+  const Joint& joint = scene.joints[row.joint];
+  constexpr real unbound = std::numeric_limits<real>::max();
+  const bool driven = row.plan.bound == Bound::driven;
+  const real most = driven ? h * strongest(row.plan, joint) : unbound;
+  const real least = driven ? -most : row.plan.bound == Bound::at_least ? real(0) : -unbound;
+  const real lacking = wanted_speed(row.plan, joint) + bias - speed_of(row.terms, scene.motions);
+  apply(row, std::clamp(row.given + row.mass * lacking, least, most) - row.given, scene);
+}
+
+void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
+  for (Row& row : rows_) {
+    const bool open_stop = row.plan.bound == Bound::at_least && row.value > 0;
+    solve(row, -(open_stop ? row.value / h : baumgarte / h * row.value), scene, h);
+  }
+}
+
+/// A stop that has not been reached yet must not be braked for: it may only take back.
+void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
+  for (Row& row : rows_) {
+    const bool open_stop = row.plan.bound == Bound::at_least && row.value > 0;
+    if (!open_stop || row.given > 0) solve(row, 0, scene, h);
+    scene.joints[row.joint].memory[row.slot].impulse = row.given;
+  }
+}
+
+double JointSweeps::take_work(const JointedBodies& scene) {
+  for (Row& row : rows_) work_ += work_of_movers(row.terms, std::exchange(row.total, real(0)), scene);
+  return std::exchange(work_, 0);
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

@@ -1,0 +1,51 @@
+#pragma once
+
+/// Rigid joints as they are taught: one row after the other gets the impulse that it needs at the moment, which
+/// disturbs its neighbours, and so again and again (projected Gauss-Seidel; "sequential impulses", Catto, GDC 2006).
+/// Where a joint is open already, a part of the gap is closed by velocity (Baumgarte 1972). Cheap, simple, and slow to
+/// converge along chains and between unequal masses: compare with joint_group.h.
+
+#include "engine/joint_rows.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+class JointSweeps {
+ public:
+  void rebuild(const std::vector<Joint>& joints, RowsWanted wanted);
+  bool empty() const { return rows_.empty(); }
+  /// Takes directions from the present positions. Call after every drift.
+  void linearize(const JointedBodies& scene);
+  /// Starts a substep: applies `share` of the impulses of the one before.
+  void begin_substep(const JointedBodies& scene, real share);
+  /// Adds the other share before velocities are solved.
+  void add_share(const JointedBodies& scene, real share);
+  /// One sweep that also closes gaps.
+  void solve_positions(const JointedBodies& scene, real h);
+  /// One sweep for the velocities alone.
+  void solve_velocities(const JointedBodies& scene, real h);
+  /// What motors and moving kinematic bodies have put in since the last call, J.
+  double take_work(const JointedBodies& scene);
+
+ private:
+  struct Row {
+    std::uint32_t joint = 0;
+    std::size_t slot = 0;  ///< in the joint's memory
+    RowPlan plan;
+    Terms terms;
+    real mass = 0;   ///< effective
+    real value = 0;  ///< C
+    real warm = 0;   ///< impulse of the substep before
+    real given = 0;  ///< impulse of this one so far
+    real total = 0;  ///< impulse since work was last taken
+  };
+
+  void solve(Row& row, real bias, const JointedBodies& scene, real h);
+  void apply(Row& row, real impulse, const JointedBodies& scene);
+
+  std::vector<Row> rows_;
+  double work_ = 0;
+};
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

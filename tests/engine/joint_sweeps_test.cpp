@@ -1,0 +1,110 @@
+// The iterative joint solver, as taught, beside the direct one.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "engine/elementary.h"
+#include "tests/engine/scenes.h"
+
+using namespace proofreel;
+using namespace proofreel::test;
+
+namespace {
+
+/// A chain that hangs level from the world, with a weight at its end.
+Scene chain(int links, double weight, JointMethod method, std::optional<int> sweeps = {}) {
+  Scene scene;
+  scene.method.joint_solver = method;
+  scene.method.iterations = sweeps;
+  for (int i = 0; i < links; ++i) {
+    scene.bodies.push_back(body_with(box_shape(1, 0.2), {i + 0.5, 0}));
+    const auto id = [](int n) { return static_cast<BodyId>(n); };
+    scene.joints.push_back(joint_between(JointKind::revolute, id(i), {i == 0 ? 0.0 : 0.5, 0}, id(i + 1), {-0.5, 0}));
+  }
+  scene.bodies.back().mass = weight;
+  for (BodyDef& body : scene.bodies) body.filter.group = -1;
+  return scene;
+}
+
+double widest_gap(const Scene& scene, double seconds) {
+  const auto simulation = simulate(scene);
+  double widest = 0;
+  for (int i = 0; i < static_cast<int>(seconds * 240); ++i) {
+    simulation->step();
+    for (std::uint32_t j = 0; j < scene.joints.size(); ++j)
+      widest = std::max(widest, simulation->joint(JointId(j)).gap);
+  }
+  return widest;
+}
+
+}  // namespace
+
+TEST_CASE("A pendulum on an iterated hinge swings with the period of one on a rigid hinge", "[joint sweeps]") {
+  const auto angle = [](JointMethod method) {
+    const auto simulation = simulate(chain(1, 1, method));
+    run(*simulation, 2);
+    return simulation->body(BodyId(1)).angle;
+  };
+  CHECK(angle(JointMethod::iterative) == Approx(angle(JointMethod::direct)).margin(5e-3));
+}
+
+TEST_CASE("Sweep by sweep joints come nearer to what the direct solver does at once", "[joint sweeps]") {
+  const double few = widest_gap(chain(8, 5, JointMethod::iterative, 4), 1);
+  const double many = widest_gap(chain(8, 5, JointMethod::iterative, 64), 1);
+  CHECK(many < 0.3 * few);
+  CHECK(widest_gap(chain(8, 5, JointMethod::direct), 1) < pick(1e-11, 1e-4));
+  CHECK(many > pick(1e-9, 1e-4));
+}
+
+TEST_CASE("A heavy weight at the end of a light chain is what iterating is bad at", "[joint sweeps]") {
+  CHECK(widest_gap(chain(10, 100, JointMethod::iterative), 1) > 1e-3);
+  CHECK(widest_gap(chain(10, 100, JointMethod::direct), 1) < pick(1e-10, 1e-3));
+}
+
+TEST_CASE("Impulses of iterated joints are mutual: momentum stays", "[joint sweeps]") {
+  Scene scene = chain(4, 3, JointMethod::iterative);
+  scene.gravity = {0, 0};
+  scene.joints.erase(scene.joints.begin());
+  scene.bodies[0].velocity = {1, 2};
+  scene.bodies[3].spin = 3;
+  const auto simulation = simulate(scene);
+  const auto momentum = [&] {
+    Vec2d sum;
+    for (std::uint32_t i = 1; i <= 4; ++i)
+      sum += simulation->body(BodyId(i)).mass * simulation->body(BodyId(i)).velocity;
+    return sum;
+  };
+  const Vec2d before = momentum();
+  run(*simulation, 2);
+  CHECK(length(momentum() - before) < pick(1e-12, 1e-5));
+}
+
+TEST_CASE("Iterated limits stop, and iterated motors run at their speed with no more than they have",
+          "[joint sweeps]") {
+  Scene scene = chain(1, 1, JointMethod::iterative);
+  scene.joints[0].limits = LimitsDef{-0.5, 0.5};
+  const auto stopped = simulate(scene);
+  run(*stopped, 2);
+  CHECK(stopped->body(BodyId(1)).angle == Approx(-0.5).margin(1e-2));
+  CHECK(std::abs(stopped->body(BodyId(1)).spin) < 1e-3);
+
+  scene.joints[0].limits.reset();
+  scene.gravity = {0, 0};
+  scene.joints[0].motor = MotorDef{3, 2};
+  const auto driven = simulate(scene);
+  const double inertia = driven->body(BodyId(1)).inertia + 0.25;
+  run(*driven, 0.1);
+  CHECK(driven->body(BodyId(1)).spin == Approx(0.1 * 2 / inertia).epsilon(0.02));
+  run(*driven, 2);
+  CHECK(driven->body(BodyId(1)).spin == Approx(3).epsilon(1e-3));
+  const Energy energy = driven->energy();
+  CHECK(energy.booked_work == Approx(energy.total()).epsilon(0.03));
+}
+
+TEST_CASE("A composed integrator is refused with joints that are only iterated", "[joint sweeps]") {
+  Scene scene = chain(1, 1, JointMethod::iterative);
+  scene.method.integrator = Integrator::suzuki4;
+  CHECK(problem_with_method(scene).value_or("").find("joint_solver \"direct\"") != std::string::npos);
+  scene.method.joint_solver = JointMethod::direct;
+  CHECK_FALSE(problem_with_method(scene));
+}
