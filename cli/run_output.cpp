@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "golden/hex.h"
@@ -31,6 +32,7 @@ std::string quoted(const std::string& text) {
 
 std::string line_of(const MeasureResult& measure) {
   std::string text("  measure ");
+  if (!measure.unknown_for.empty()) return text.append(measure.name).append(": not known\n");
   text.append(measure.name).append(": final ").append(rounded(measure.final)).append(", min ");
   text.append(rounded(measure.min)).append(", max ").append(rounded(measure.max));
   if (measure.max_error) text.append(", largest error ").append(rounded(*measure.max_error));
@@ -38,13 +40,15 @@ std::string line_of(const MeasureResult& measure) {
 }
 
 std::string line_of(const ExpectationResult& expectation) {
-  std::string text(expectation.held ? "  holds: " : "  FAILS: ");
+  std::string text(!expectation.unknown_for.empty() ? "  not known: " : expectation.held ? "  holds: " : "  FAILS: ");
   text.append(expectation.text);
-  if (!expectation.held) text.append(" (first at tick ").append(std::to_string(expectation.tick)).append(")");
+  if (expectation.failed()) text.append(" (first at tick ").append(std::to_string(expectation.tick)).append(")");
   return text.append("\n");
 }
 
 Json json_of(const MeasureResult& measure) {
+  if (!measure.unknown_for.empty())
+    return {{"final", nullptr}, {"min", nullptr}, {"max", nullptr}, {"max_error", nullptr}};
   Json json{{"final", measure.final}, {"min", measure.min}, {"max", measure.max}, {"max_error", nullptr}};
   if (measure.max_error) json["max_error"] = *measure.max_error;
   return json;
@@ -54,7 +58,9 @@ Json json_of(const MeasureResult& measure) {
 
 std::string text_of(const RunReport& report) {
   std::string text(report.scenario);
-  text.append(": ").append(std::to_string(report.ticks)).append(" ticks, trajectory hash ");
+  text.append(": ").append(std::to_string(report.ticks)).append(" ticks");
+  if (report.resumed_at) text.append(" (from ").append(std::to_string(*report.resumed_at)).append(" on)");
+  text.append(", trajectory hash ");
   text.append(hex(report.trajectory_hash)).append(", state hash ").append(hex(report.state_hash)).append("\n");
   for (const MeasureResult& measure : report.measures) text += line_of(measure);
   for (const ExpectationResult& expectation : report.expectations) text += line_of(expectation);
@@ -66,7 +72,9 @@ std::string text_of(const RunReport& report) {
 Json json_of(const std::vector<ExpectationResult>& expectations) {
   Json list = Json::array();
   for (const ExpectationResult& e : expectations) {
-    list.push_back({{"text", e.text}, {"held", e.held}, {"tick", e.tick}});
+    Json one{{"text", e.text}, {"held", nullptr}, {"tick", e.tick}};
+    if (e.unknown_for.empty()) one["held"] = e.held;
+    list.push_back(one);
   }
   return list;
 }
@@ -74,18 +82,20 @@ Json json_of(const std::vector<ExpectationResult>& expectations) {
 Json json_of(const RunReport& report, const std::vector<std::string>& warnings, double wall_s) {
   Json measures = Json::object();
   for (const MeasureResult& measure : report.measures) measures[measure.name] = json_of(measure);
-  return {{"scenario", report.scenario},
-          {"ticks", report.ticks},
-          {"trajectory_hash", hex(report.trajectory_hash)},
-          {"state_hash", hex(report.state_hash)},
-          {"measures", measures},
-          {"expectations", json_of(report.expectations)},
-          {"energy",
-           {{"initial", report.initial_energy.total()},
-            {"final", report.final_energy.total()},
-            {"max_drift", report.max_energy_drift}}},
-          {"wall_s", wall_s},
-          {"warnings", warnings}};
+  Json json{{"scenario", report.scenario},
+            {"ticks", report.ticks},
+            {"trajectory_hash", hex(report.trajectory_hash)},
+            {"state_hash", hex(report.state_hash)},
+            {"measures", measures},
+            {"expectations", json_of(report.expectations)},
+            {"energy",
+             {{"initial", report.initial_energy.total()},
+              {"final", report.final_energy.total()},
+              {"max_drift", report.max_energy_drift}}},
+            {"wall_s", wall_s},
+            {"warnings", warnings}};
+  if (report.resumed_at) json["resumed_at"] = *report.resumed_at;
+  return json;
 }
 
 std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples) {
@@ -94,16 +104,28 @@ std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples)
   text += "\n";
   for (const Sample& sample : samples) {
     text += exact(static_cast<double>(sample.tick) / scenario.scene.rate);
-    for (const double value : sample.values) text.append(",").append(exact(value));
+    for (const double value : sample.values) text.append(",").append(std::isnan(value) ? std::string() : exact(value));
     text += "\n";
   }
   return text;
 }
 
+std::vector<std::string> unknowns_of(const RunReport& report) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const std::string& what, const std::string& variable) {
+    if (variable.empty()) return;
+    sentences.push_back(report.scenario + ": " + what + " is not known after resuming: it can see the variable \"" +
+                        variable + "\", which the script changed in the saved run");
+  };
+  for (const MeasureResult& m : report.measures) add("measure \"" + m.name + "\"", m.unknown_for);
+  for (const ExpectationResult& e : report.expectations) add("whether \"" + e.text + "\" holds", e.unknown_for);
+  return sentences;
+}
+
 std::vector<std::string> failures_of(const std::string& scenario, const std::vector<ExpectationResult>& expectations) {
   std::vector<std::string> sentences;
   for (const ExpectationResult& e : expectations) {
-    if (e.held) continue;
+    if (!e.failed()) continue;
     std::string sentence(scenario);
     sentence.append(": does not hold at tick ").append(std::to_string(e.tick)).append(": ").append(e.text);
     sentences.push_back(std::move(sentence));

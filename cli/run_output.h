@@ -14,8 +14,9 @@ namespace proofreel {
 std::string text_of(const RunReport& report);
 
 /// One object: scenario, ticks, trajectory_hash, state_hash (16 hex digits each), measures {name: {final, min, max,
-/// max_error}}, expectations [{text, held, tick}], energy {initial, final, max_drift}, wall_s, warnings. Numbers in SI;
-/// max_error is null for measures without reference.
+/// max_error}}, expectations [{text, held, tick}], energy {initial, final, max_drift}, wall_s, warnings; resumed_at (a
+/// tick) when it was resumed. Numbers in SI; max_error is null for measures without reference, and whatever is not
+/// known after resuming is null.
 Json json_of(const RunReport& report, const std::vector<std::string>& warnings, double wall_s);
 
 /// A list of {text, held, tick}.
@@ -23,6 +24,9 @@ Json json_of(const std::vector<ExpectationResult>& expectations);
 
 /// A header (t and the measures' names), then one row per sample. Numbers are written so that they read back exactly.
 std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples);
+
+/// Sentences about what is not known after resuming.
+std::vector<std::string> unknowns_of(const RunReport& report);
 
 /// Sentences about the expectations that do not hold.
 std::vector<std::string> failures_of(const std::string& scenario, const std::vector<ExpectationResult>& expectations);

@@ -58,6 +58,12 @@ class BroadPhase {
   }
   const DynamicTree& tree() const { return tree_; }
 
+  /// For archives (world_archive.cpp).
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& broad_phase);
+  /// Whether it holds just the living ones of these shapes; for what comes from outside.
+  bool is_sound(const std::vector<Shape>& shapes) const;
+
  private:
   void mark_as_moved(ShapeIndex index);
   void rebuild_if_worn();

@@ -102,6 +102,18 @@ class DynamicTree {
   /// Whether all links, heights and boxes agree with each other; for tests.
   bool validate() const;
 
+  /// For archives (world_archive.cpp): every node where it lies, so that whatever happens to the tree from then on
+  /// happens as it would have.
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& tree);
+  /// Whether the links lead to nodes and nowhere in circles, and all agrees; for trees that come from outside.
+  bool is_sound() const;
+  /// Whether this is the name of a leaf, whatever number it may be.
+  bool has_leaf(ProxyId leaf) const {
+    return leaf >= 0 && static_cast<std::size_t>(leaf) < nodes_.size() && node(leaf).is_leaf();
+  }
+  std::size_t leaf_count() const;
+
  private:
   using NodeId = std::int32_t;
   using NodePair = std::pair<NodeId, NodeId>;
@@ -117,6 +129,8 @@ class DynamicTree {
       std::uint32_t owner;                         ///< of a leaf
     };
     bool is_leaf() const { return height == 0; }
+    template <typename Archive, typename Self>
+    static void exchange(Archive& archive, Self& node);
   };
 
   /// A leaf during `rebuild`, with its box beside it.
@@ -150,6 +164,7 @@ class DynamicTree {
 
   std::vector<LooseLeaf> take_apart();
 
+  bool links_are_sound() const;
   std::size_t count_reached() const;
   bool node_is_sound(NodeId id) const;
 

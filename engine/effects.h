@@ -30,6 +30,9 @@ class EffectCensus {
   std::vector<EffectDecision> decisions() const;
   /// The same when a list has decided.
   std::vector<EffectDecision> decisions(EffectSet listed) const;
+  /// For archives (scene_archive.h).
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& census);
 
  private:
   /// Bodies that meet the same others; most scenes have very few of these.
@@ -37,6 +40,11 @@ class EffectCensus {
     FilterDef filter;
     bool dynamic = false;
     int bodies = 0;
+    template <typename Archive, typename Self>
+    static void exchange(Archive& archive, Self& one) {
+      auto& [filter, dynamic, bodies] = one;
+      archive(filter, dynamic, bodies);
+    }
   };
   bool anything_meets() const;
 

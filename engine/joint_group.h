@@ -43,6 +43,10 @@ class JointGroup {
   const std::vector<BodyIndex>& bodies() const { return bodies_; }
   /// What motors and moving kinematic bodies have put in since the last call, J.
   double take_work(const JointedBodies& scene);
+  /// For archives (world_archive.cpp): what it remembers from tick to tick. All else is made anew in every substep, and
+  /// the impulses lie in the joints.
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& group);
 
  private:
   struct Row {

@@ -35,6 +35,9 @@ class JointSolver {
   void solve_positions(const JointedBodies& scene, real h);
   void solve_velocities(const JointedBodies& scene, real h);
   double take_work(const JointedBodies& scene);
+  /// For archives (world_archive.cpp): what it remembers from tick to tick, its groups being made already.
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& solver);
 
  private:
   JointMethod method_;

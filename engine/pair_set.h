@@ -17,6 +17,22 @@ class PairSet {
   void erase(std::uint32_t a, std::uint32_t b);
   bool contains(std::uint32_t a, std::uint32_t b) const;
   std::size_t size() const { return size_; }
+  /// For archives (archive.h): the pairs, in whatever order they lie.
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& set) {
+    std::vector<std::uint64_t> keys;
+    for (const std::uint64_t key : set.slots_) {
+      if (key != empty) keys.push_back(key);
+    }
+    archive(keys);
+    if constexpr (Archive::reads) {
+      set = PairSet();
+      for (const std::uint64_t key : keys) {
+        if (key == empty) archive.spoil();
+        if (key != empty) set.insert(static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key));
+      }
+    }
+  }
 
  private:
   std::size_t home_of(std::uint64_t key) const;

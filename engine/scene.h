@@ -258,6 +258,11 @@ class EffectSet {
   constexpr bool has_only(EffectSet others) const { return (bits_ & ~others.bits_) == 0; }
   constexpr void add(Effect e) { bits_ |= 1U << static_cast<unsigned>(e); }
   friend bool operator==(EffectSet, EffectSet) = default;
+  /// For archives (archive.h).
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& set) {
+    archive(set.bits_);
+  }
 
  private:
   std::uint32_t bits_ = 0;

@@ -3,9 +3,11 @@
 /// The narrow interface between a scene and whatever steps it. The script drives a simulation through commands, the
 /// picture is made from snapshots; nobody outside sees bodies or solvers.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -142,6 +144,15 @@ class Simulation {
   virtual std::vector<EffectDecision> effects() const { return {}; }
   /// From now on `BodyView::force` is kept; until then it is 0, since it takes a look at every body at every tick.
   virtual void keep_forces() {}
+  /// All that decides how it goes on and what of it is seen, as bytes that are the same on every machine. Empty where
+  /// that is not offered.
+  virtual std::vector<std::byte> save() const { return {}; }
+  /// Becomes the simulation whose `save` gave these bytes, to the last bit; it must have been made from the same scene,
+  /// whose force fields it asks from now on. Otherwise a sentence without a subject, "is damaged", why not, and nothing
+  /// has changed.
+  virtual std::optional<std::string> restore(std::span<const std::byte> /*bytes*/) {
+    return "cannot be taken up by this kind of simulation";
+  }
   /// From now on adds to `times` what every stage takes; null ends it. Where nobody measures, all stay zero.
   virtual void time_stages(StageTimes* times) { static_cast<void>(times); }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/attraction.h"
+#include "engine/scene_archive.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -26,7 +27,8 @@ std::uint64_t unordered_key(BodyIndex a, BodyIndex b) {
 }  // namespace
 
 World::World(const Scene& scene)
-    : method_(scene.method),
+    : scene_hash_(hash_of(scene)),
+      method_(scene.method),
       rate_(scene.rate),
       dt_(real(1) / static_cast<real>(scene.rate)),
       h_(dt_ / static_cast<real>(scene.method.substeps)),
@@ -79,11 +81,7 @@ void World::rebuild_if_changed() {
   effects_ = listed_effects_ ? *listed_effects_ : census_.inferred();
   bodies_are_free_ = steps_everything(method_.integrator) && effects_.has_only(effects_of_free_bodies);
   gather_free_forces();
-  if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_, {on(Effect::limits), on(Effect::motors)});
-  hinged_.clear();
-  for (const Joint& joint : joints_) {
-    if (joint.alive && lets_overlap(joint.kind)) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
-  }
+  rebuild_joints();
   if (!on(Effect::contacts)) return;
   if (ground_changed_) join_fixed_shapes();
   ground_changed_ = false;
@@ -92,6 +90,14 @@ void World::rebuild_if_changed() {
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     Shape& shape = shapes_[i];
     if (shape.alive) broad_phase_.add(i, shape, bounds(shape.hull, center_pose(shape.body)));
+  }
+}
+
+void World::rebuild_joints() {
+  if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_, {on(Effect::limits), on(Effect::motors)});
+  hinged_.clear();
+  for (const Joint& joint : joints_) {
+    if (joint.alive && lets_overlap(joint.kind)) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
   }
 }
 

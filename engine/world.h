@@ -48,6 +48,11 @@ class World final : public Simulation {
   }
   void time_stages(StageTimes* times) override { times_ = times; }
   void keep_forces() override { forces_kept_ = true; }
+  std::vector<std::byte> save() const override;
+  std::optional<std::string> restore(std::span<const std::byte> bytes) override;
+  /// For archives (world_archive.cpp).
+  template <typename Archive, typename Self>
+  static void exchange(Archive& archive, Self& world);
 
  private:
   /// What commands push a body with during the next tick.
@@ -56,6 +61,8 @@ class World final : public Simulation {
     Vec2 force;  ///< N
     real torque = 0;
     real angle_before = 0;  ///< at the start of that tick
+    template <typename Archive, typename Self>
+    static void exchange(Archive& archive, Self& push);
   };
 
   // A tick (world.cpp), in order.
@@ -182,6 +189,14 @@ class World final : public Simulation {
   double potential_energy() const;
   JointedBodies jointed() { return {joints_, bodies_, motions_}; }
 
+  // Saving (world_archive.cpp, world_soundness.cpp).
+  void rebuild_joints();
+  bool is_sound(std::size_t least_bodies) const;
+  bool bodies_are_sound() const;
+  bool shapes_are_sound() const;
+  bool joints_are_sound() const;
+  bool contacts_are_sound() const;
+
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
@@ -199,6 +214,7 @@ class World final : public Simulation {
   template <typename Part>
   void timed(StepStage stage, const Part& part);
 
+  std::uint64_t scene_hash_;  ///< of what it was made from
   Method method_;
   int rate_;
   real dt_;  ///< a tick, s

@@ -129,7 +129,7 @@ void check_shapes(const BodyRecord& record, const std::vector<ShapeValue>& shape
 BodyId create_body(Model& model, BodyRecord record) {
   const auto id = static_cast<BodyId>(model.bodies.size() + 1);
   model.warn_of_omissions(called_for_by(record.def));
-  if (model.simulation != nullptr) model.simulation->apply(CreateBody{record.def});
+  if (model.simulation != nullptr) model.apply(CreateBody{record.def});
   model.scenario.body_names.push_back(record.def.name);
   model.bodies.push_back(std::move(record));
   if (model.simulation != nullptr) model.check_method();

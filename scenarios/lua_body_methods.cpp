@@ -71,7 +71,7 @@ int set(lua_State* state) {
   apply_keys(record, keys);
   check_body(record.def);
   model.warn_of_omissions(called_for_by(record.def));
-  if (model.simulation != nullptr) model.simulation->apply(change_command(body, keys, record.def));
+  if (model.simulation != nullptr) model.apply(change_command(body, keys, record.def));
   if (keys.name) model.scenario.body_names[static_cast<std::size_t>(body) - 1] = *keys.name;
   model.record(body) = std::move(record);
   return 0;
@@ -91,7 +91,7 @@ int impulse(lua_State* state) {
   const auto at = point_argument(state, 3, "the point of the impulse");
   Model& model = model_of(state);
   if (model.simulation != nullptr) {
-    model.simulation->apply(ApplyImpulse{body, amount, at});
+    model.apply(ApplyImpulse{body, amount, at});
   } else {
     start_with_impulse(model.record(body).def, amount, at);
   }
@@ -99,8 +99,8 @@ int impulse(lua_State* state) {
 }
 
 /// A force acts during one tick, so there must be one.
-Simulation& running(Model& model, const char* method) {
-  if (model.simulation != nullptr) return *model.simulation;
+Model& running(Model& model, const char* method) {
+  if (model.simulation != nullptr) return model;
   throw Problem(std::string("b:") + method +
                 " acts during the next tick and works only in callbacks, such as those of every(dt, fn)");
 }
@@ -125,7 +125,7 @@ int remove(lua_State* state) {
   const BodyId body = changed(state, "remove");
   Model& model = model_of(state);
   if (model.simulation != nullptr) {
-    model.simulation->apply(RemoveBody{body});
+    model.apply(RemoveBody{body});
   } else {
     model.record(body).removed = true;
   }

@@ -22,7 +22,7 @@ int remove(lua_State* state) {
   model.must_act("j:remove");
   if (!model.exists(joint)) return 0;
   if (model.simulation != nullptr) {
-    model.simulation->apply(RemoveJoint{joint});
+    model.apply(RemoveJoint{joint});
   } else {
     model.joints[static_cast<std::size_t>(joint)].removed = true;
     model.touch();
@@ -68,7 +68,7 @@ int set(lua_State* state) {
   def.velocity = change.velocity.value_or(def.velocity);
   if (change.speed) def.motor->speed = *change.speed;
   model.touch();
-  if (model.simulation != nullptr) model.simulation->apply(change);
+  if (model.simulation != nullptr) model.apply(change);
   return 0;
 }
 

@@ -56,7 +56,7 @@ int push_new_joint(lua_State* state, const JointDef& joint) {
   }
   const auto id = static_cast<JointId>(model.joints.size());
   model.warn_of_omissions(called_for_by(joint));
-  if (model.simulation != nullptr) model.simulation->apply(CreateJoint{joint});
+  if (model.simulation != nullptr) model.apply(CreateJoint{joint});
   model.joints.push_back({joint, false});
   if (model.simulation != nullptr) model.check_method();
   model.touch();

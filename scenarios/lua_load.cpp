@@ -114,8 +114,10 @@ std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vect
   auto scenario = std::make_unique<Scenario>();
   scenario->path = path;
   scenario->id = id_of(path);
+  for (std::size_t i = 0; i < parsed.size(); ++i) scenario->settings[parsed[i].path] = overrides[i].value;
   auto script = std::make_unique<LuaScript>(*scenario, std::move(parsed));
   script->load(text);
+  scenario->source_hash = script->source_hash();
   scenario->script = std::move(script);
   return scenario;
 }

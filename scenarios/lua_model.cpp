@@ -9,8 +9,29 @@
 
 namespace proofreel {
 
+void Model::bind(Simulation* to) {
+  bound_ = to;
+  simulation = to;
+}
+
+void Model::apply(const Command& command) {
+  bound_->apply(command);
+  if (log != nullptr) log->push_back(command);
+}
+
+void Model::adopt(const Command& command) {
+  if (const auto* body = std::get_if<CreateBody>(&command)) {
+    scenario.body_names.push_back(body->def.name);
+    bodies.push_back({body->def, {}, false});
+  } else if (const auto* joint = std::get_if<CreateJoint>(&command)) {
+    joints.push_back({joint->def, false});
+  }
+}
+
 std::string Model::name(BodyId body) const {
-  return body == BodyId::world ? "world" : bodies[static_cast<std::size_t>(body) - 1].def.name;
+  const auto index = static_cast<std::size_t>(body);
+  if (index > bodies.size()) return "body " + std::to_string(index);  // a resumed run may hold some nobody told of
+  return body == BodyId::world ? "world" : bodies[index - 1].def.name;
 }
 
 bool Model::exists(BodyId body) const {

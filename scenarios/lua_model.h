@@ -72,7 +72,8 @@ struct Model {
   explicit Model(Scenario& owner) : scenario(owner) {}
 
   Scenario& scenario;
-  Simulation* simulation = nullptr;
+  const Simulation* simulation = nullptr;  ///< changed by `apply` only
+  std::vector<Command>* log = nullptr;     ///< takes down what is applied
   Phase phase = Phase::loading;
   bool described = false;  ///< scenario{} was called
   int includes_open = 0;   ///< files being included right now
@@ -90,6 +91,13 @@ struct Model {
   std::vector<int> expectations;  ///< functions of Scenario::expectations
   std::vector<Reference> references;
   std::vector<std::vector<int>> plots;  ///< functions of the curves of Picture::plots
+
+  void bind(Simulation* to);
+  /// Acts on the simulation, which must be bound.
+  void apply(const Command& command);
+  /// Notes what a command has made, which somebody else applied.
+  void adopt(const Command& command);
+  bool has_callbacks() const { return !timers.empty() || !contact_handlers.empty() || !break_handlers.empty(); }
 
   std::int64_t tick() const { return simulation != nullptr ? simulation->tick() : 0; }
   double time() const { return static_cast<double>(tick()) / scenario.scene.rate; }
@@ -117,6 +125,7 @@ struct Model {
   void touch() { preview_.reset(); }
 
  private:
+  Simulation* bound_ = nullptr;
   std::unique_ptr<Simulation> preview_;
 };
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "engine/state_hash.h"
 #include "scenarios/scenario.h"
 #include "scenarios/suggest.h"
 
@@ -89,6 +90,12 @@ void Sandbox::compile(const std::string& path, const std::string& text) {
   // its place at the end.
   const std::string token = "=<" + std::to_string(sources_.size()) + ">";
   if (luaL_loadbufferx(state_, text.data(), text.size(), token.c_str(), "t") != LUA_OK) lua_error(state_);
+}
+
+std::uint64_t Sandbox::source_hash() const {
+  std::uint64_t hash = 0;
+  for (const Source& source : sources_) hash = chained_hash(hash, hash_of(source.text.data(), source.text.size()));
+  return hash;
 }
 
 void Sandbox::charge(std::uint64_t work) {

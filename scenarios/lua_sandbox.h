@@ -49,6 +49,8 @@ class Sandbox {
   void charge(std::uint64_t work);
 
   const std::string& path() const { return path_; }
+  /// XXH3 of all sources compiled so far, in order.
+  std::uint64_t source_hash() const;
   void* client() const { return client_; }
   /// Raises `problem` as a Lua error that says where.
   [[noreturn]] void raise(const Problem& problem);

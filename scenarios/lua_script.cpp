@@ -76,7 +76,7 @@ void LuaScript::turn(Phase phase, const std::function<std::string()>& what,
 }
 
 void LuaScript::bind(Simulation* simulation) {
-  model_.simulation = simulation;
+  model_.bind(simulation);
   if (simulation == nullptr) return;
   // Ids are positions in the scene, so what the file made and removed again is still in it.
   for (std::size_t i = 0; i < model_.joints.size(); ++i) {
@@ -236,6 +236,41 @@ bool LuaScript::expectation(int index) {
     held = lua_toboolean(state, -1) != 0;
   });
   return held;
+}
+
+/// A measure's function and that of its reference, an expectation's, or those of all fields.
+std::vector<int> LuaScript::functions_behind(ScriptFunction what, int index) const {
+  const auto i = static_cast<std::size_t>(index);
+  if (what == ScriptFunction::field) return model_.fields;
+  if (what == ScriptFunction::expectation) return {model_.expectations[i]};
+  std::vector<int> functions{model_.measures[i]};
+  const int reference = reference_of_[i];
+  if (reference < 0) return functions;
+  const auto& function = model_.references[static_cast<std::size_t>(reference)].function;
+  if (function) functions.push_back(*function);
+  return functions;
+}
+
+std::optional<SeenVariables> LuaScript::variables_of(int function) {
+  std::optional<SeenVariables> seen;
+  sandbox_.turn([&](lua_State* state) { seen = variables_seen_by(state, function); });
+  return seen;
+}
+
+void LuaScript::remember_variables() {
+  for (const int function : model_.fields) remembered_[function] = variables_of(function);
+  for (const int function : model_.measures) remembered_[function] = variables_of(function);
+  for (const int function : model_.expectations) remembered_[function] = variables_of(function);
+  for (const Reference& reference : model_.references) {
+    if (reference.function) remembered_[*reference.function] = variables_of(*reference.function);
+  }
+}
+
+std::optional<std::string> LuaScript::changed_variable(ScriptFunction what, int index) {
+  for (const int function : functions_behind(what, index)) {
+    if (auto name = difference(remembered_[function], variables_of(function))) return name;
+  }
+  return std::nullopt;
 }
 
 double LuaScript::plot_value(int plot, int curve) {

@@ -8,6 +8,7 @@
 
 #include "scenarios/lua_model.h"
 #include "scenarios/lua_sandbox.h"
+#include "scenarios/lua_watch.h"
 #include "scenarios/scenario.h"
 
 namespace proofreel {
@@ -27,6 +28,14 @@ class LuaScript : public Script {
   std::optional<double> reference(int index, std::int64_t tick) override;
   bool expectation(int index) override;
   double plot_value(int plot, int curve) override;
+  void log_commands(std::vector<Command>* log) override { model_.log = log; }
+  void adopt(const Command& command) override { model_.adopt(command); }
+  bool has_callbacks() const override { return model_.has_callbacks(); }
+  void remember_variables() override;
+  std::optional<std::string> changed_variable(ScriptFunction what, int index) override;
+
+  /// Of the file's text and of all it includes.
+  std::uint64_t source_hash() const { return sandbox_.source_hash(); }
 
  private:
   /// A turn of the script in which it may do what `phase` says; errors tell the time and `what` ran.
@@ -43,11 +52,14 @@ class LuaScript : public Script {
   void fire_due(lua_State* state);
   void tell_of_contacts();
   void tell_of_breaks();
+  std::vector<int> functions_behind(ScriptFunction what, int index) const;
+  std::optional<SeenVariables> variables_of(int function);
   void tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event);
 
   Model model_;
   Sandbox sandbox_;
-  std::vector<int> reference_of_;  ///< of measure i: index into Model::references, or -1
+  std::map<int, std::optional<SeenVariables>> remembered_;  ///< by function
+  std::vector<int> reference_of_;                           ///< of measure i: index into Model::references, or -1
 };
 
 }  // namespace proofreel

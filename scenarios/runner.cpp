@@ -4,9 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "scenarios/film.h"
 #include "scenarios/recorder.h"
+#include "scenarios/replay.h"
+#include "scenarios/run_saver.h"
 #include "scenarios/suggest.h"
 #include "scenarios/timeline.h"
 
@@ -51,38 +54,83 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
 }  // namespace
 
 bool RunReport::all_held() const {
-  return !failure && std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.held; });
+  return !failure && std::none_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.failed(); });
 }
 
 struct Runner::Impl {
   Impl(Scenario& owner, std::unique_ptr<Simulation> stepped)
       : scenario(owner),
         simulation(std::move(stepped)),
-        binding(*scenario.script, *simulation),
+        binding(std::in_place, *scenario.script, *simulation),
         last_tick(scenario.ticks()),
         recorder(scenario) {
-    for (const Measure& measure : scenario.measures) report.measures.push_back({measure.name, 0, 0, 0, {}});
+    for (const Measure& measure : scenario.measures) report.measures.push_back({measure.name, 0, 0, 0, {}, {}});
     for (const Expectation& expectation : scenario.expectations)
-      report.expectations.push_back({expectation.text, true, 0});
+      report.expectations.push_back({expectation.text, true, 0, {}});
     looked_at.resize(scenario.expectations.size());
     if (draws_forces(scenario.picture)) simulation->keep_forces();
     report.scenario = scenario.id;
+  }
+
+  void start(const std::vector<std::int64_t>& saved_ticks) {
+    if (!saved_ticks.empty()) saver.emplace(scenario, saved_ticks);
     report.initial_energy = simulation->energy();
     report.trajectory_hash = chained_hash(0, simulation->state_hash());
     look();
+  }
+
+  void resume(const SavedRun& run, const std::string& file) {
+    const auto problem = simulation->restore(run.state);
+    if (problem || simulation->tick() != run.tick)
+      throw ScenarioError(file + " cannot be resumed: the state in it " + problem.value_or("contradicts itself"));
+    for (const Command& command : run.made) scenario.script->adopt(command);
+    for (std::size_t i = 0; i < run.expectations.size(); ++i) {
+      const SavedExpectation& saved = run.expectations[i];
+      report.expectations[i].held = saved.held;
+      report.expectations[i].tick = saved.tick;
+      report.expectations[i].unknown_for = is_settled(i, run) ? std::string() : saved.changed_variable;
+      looked_at[i] = saved.looked_at;
+    }
+    for (std::size_t i = 0; i < run.changed_variables.size(); ++i)
+      report.measures[i].unknown_for = run.changed_variables[i];
+    report.initial_energy = run.initial_energy;
+    report.trajectory_hash = run.trajectory_hash;
+    report.resumed_at = run.tick;
+    replay.emplace(run, file);
+    look();
+  }
+
+  /// Whether nothing that is still to come can change how an expectation of a saved run stood.
+  bool is_settled(std::size_t i, const SavedRun& run) const {
+    const Expectation& expectation = scenario.expectations[i];
+    const bool over =
+        expectation.when == Expectation::When::at && tick_at(expectation.at, scenario.scene.rate) <= run.tick;
+    return !run.expectations[i].held || (over && run.expectations[i].looked_at);
   }
 
   bool finished() const { return simulation->tick() >= last_tick || simulation->failure(); }
 
   /// One tick; false when the simulation failed in it.
   bool advance() {
-    scenario.script->before_step();
+    act(false);
+    if (saver) saver->watch(ScriptFunction::field, 0, simulation->tick());
     simulation->step();
     if (simulation->failure()) return false;
     report.trajectory_hash = chained_hash(report.trajectory_hash, simulation->state_hash());
-    scenario.script->after_step();
+    act(true);
     look();
     return true;
+  }
+
+  /// What the script does before a step, or when it has heard what the step set off; or what it did in the saved run.
+  void act(bool heard) {
+    if (replay) return replay->act(heard, *simulation, *scenario.script);
+    if (heard) {
+      scenario.script->after_step();
+    } else {
+      scenario.script->before_step();
+    }
+    if (saver) saver->log(simulation->tick(), heard);
   }
 
   /// Everything that is measured, recorded and expected at this tick.
@@ -91,12 +139,24 @@ struct Runner::Impl {
     const bool sampled = is_sample_tick(scenario, tick);
     recorder.record(*simulation);
     if (sampled) {
-      recorder.sample_plots(tick);
+      if (!replay) recorder.sample_plots(tick);
       book_energy();
       samples.push_back({tick, {}});
     }
     for (std::size_t i = 0; i < scenario.measures.size(); ++i) look_at_measure(i, tick, sampled);
     for (std::size_t i = 0; i < scenario.expectations.size(); ++i) look_at_expectation(i, tick);
+    if (saver && saver->wants(tick)) saver->keep(as_it_is());
+  }
+
+  SavedRun as_it_is() const {
+    SavedRun run;
+    run.tick = simulation->tick();
+    run.state = simulation->save();
+    run.trajectory_hash = report.trajectory_hash;
+    run.initial_energy = report.initial_energy;
+    for (std::size_t i = 0; i < looked_at.size(); ++i)
+      run.expectations.push_back({report.expectations[i].held, looked_at[i], report.expectations[i].tick, {}});
+    return run;
   }
 
   void book_energy() {
@@ -108,8 +168,14 @@ struct Runner::Impl {
 
   void look_at_measure(std::size_t i, std::int64_t tick, bool sampled) {
     const int index = static_cast<int>(i);
+    if (!report.measures[i].unknown_for.empty()) {
+      if (sampled) samples.back().values.push_back(std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    if (saver && sampled) saver->watch(ScriptFunction::measure, index, tick);
     const auto reference = scenario.script->reference(index, tick);
     if (!sampled && !reference) return;
+    if (saver && !sampled) saver->watch(ScriptFunction::measure, index, tick);
     const double value = scenario.script->measure(index);
     MeasureResult& result = report.measures[i];
     if (sampled) {
@@ -133,7 +199,8 @@ struct Runner::Impl {
 
   void look_at_expectation(std::size_t i, std::int64_t tick) {
     ExpectationResult& result = report.expectations[i];
-    if (!result.held || !is_due(scenario.expectations[i], tick)) return;
+    if (!result.held || !result.unknown_for.empty() || !is_due(scenario.expectations[i], tick)) return;
+    if (saver) saver->watch(ScriptFunction::expectation, static_cast<int>(i), tick);
     result.held = scenario.script->expectation(static_cast<int>(i));
     result.tick = tick;
     looked_at[i] = true;
@@ -143,24 +210,39 @@ struct Runner::Impl {
   void give_up() {
     report.failure = simulation->failure();
     for (std::size_t i = 0; i < looked_at.size(); ++i) {
-      if (!looked_at[i]) report.expectations[i] = {scenario.expectations[i].text, false, simulation->tick()};
+      if (!looked_at[i]) report.expectations[i] = {scenario.expectations[i].text, false, simulation->tick(), {}};
     }
   }
 
   Scenario& scenario;
   std::unique_ptr<Simulation> simulation;
-  Binding binding;
+  std::optional<Binding> binding;
   std::int64_t last_tick;
   Recorder recorder;
   RunReport report;
   std::vector<Sample> samples;
-  std::vector<bool> looked_at;  ///< expectations
+  std::vector<bool> looked_at;    ///< expectations
+  std::optional<RunSaver> saver;  ///< of a run that is to be saved
+  std::optional<Replay> replay;   ///< of a run that was
 };
 
 Runner::Runner(Scenario& scenario) : Runner(scenario, make_simulation(scenario.scene)) {}
 
 Runner::Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation)
-    : impl_(std::make_unique<Impl>(scenario, std::move(simulation))) {}
+    : impl_(std::make_unique<Impl>(scenario, std::move(simulation))) {
+  impl_->start({});
+}
+
+Runner::Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks)
+    : impl_(std::make_unique<Impl>(scenario, make_simulation(scenario.scene))) {
+  impl_->start(saved_ticks);
+}
+
+Runner::Runner(Scenario& scenario, const SavedRun& run, const std::string& file) {
+  check_resumable(run, scenario, file);
+  impl_ = std::make_unique<Impl>(scenario, make_simulation(scenario.scene));
+  impl_->resume(run, file);
+}
 
 Runner::~Runner() = default;
 
@@ -181,9 +263,27 @@ Frame Runner::frame(std::int64_t index) const {
   return make_frame(impl_->scenario, impl_->recorder, std::move(snapshot), index);
 }
 
+SavedRun Runner::saved(std::int64_t tick) const {
+  assert(finished() && impl_->saver);
+  return impl_->saver->saved(tick, impl_->last_tick, impl_->report.trajectory_hash);
+}
+
+void Runner::move_to(std::unique_ptr<Simulation> fresh) {
+  const std::vector<std::byte> state = impl_->simulation->save();
+  if (state.empty()) throw ScenarioError(impl_->scenario.path + ": this kind of simulation cannot be saved");
+  if (const auto problem = fresh->restore(state))
+    throw ScenarioError(impl_->scenario.path + ": the state of the simulation " + *problem);
+  if (draws_forces(impl_->scenario.picture)) fresh->keep_forces();
+  impl_->binding.reset();
+  impl_->simulation = std::move(fresh);
+  impl_->binding.emplace(*impl_->scenario.script, *impl_->simulation);
+}
+
 RunReport Runner::finish() {
   while (!finished()) impl_->advance();
   if (impl_->simulation->failure()) impl_->give_up();
+  if (impl_->replay && impl_->replay->ended_elsewhere(*impl_->simulation, impl_->report.trajectory_hash))
+    impl_->scenario.warnings.push_back("the motion is not that of the saved run: the program has changed since");
   RunReport report = impl_->report;
   report.ticks = impl_->simulation->tick();
   report.state_hash = impl_->simulation->state_hash();

@@ -11,6 +11,7 @@
 
 #include "engine/simulation.h"
 #include "scenarios/frame.h"
+#include "scenarios/saved_run.h"
 #include "scenarios/scenario.h"
 
 namespace proofreel {
@@ -21,18 +22,21 @@ struct MeasureResult {
   double min = 0;
   double max = 0;
   std::optional<double> max_error;  ///< max |measure - reference| over the samples a reference speaks of
+  std::string unknown_for;          ///< the variable for which it is not known after resuming; empty when it is known
 };
 
 struct ExpectationResult {
   std::string text;
   bool held = true;
-  std::int64_t tick = 0;  ///< where it first failed, or was last looked at
+  std::int64_t tick = 0;    ///< where it first failed, or was last looked at
+  std::string unknown_for;  ///< the variable for which nobody knows after resuming; empty when it is known
+  bool failed() const { return unknown_for.empty() && !held; }
 };
 
 /// What was measured at one sampled tick.
 struct Sample {
   std::int64_t tick = 0;
-  std::vector<double> values;  ///< of Scenario::measures, in their order
+  std::vector<double> values;  ///< of Scenario::measures, in their order; NaN where it is not known
 };
 
 struct RunReport {
@@ -46,6 +50,7 @@ struct RunReport {
   Energy final_energy;
   double max_energy_drift = 0;  ///< J, |total - booked work - initial total|, over all samples
   std::optional<Failure> failure;
+  std::optional<std::int64_t> resumed_at;  ///< the tick from which on it was looked at, when that is not the first
   bool all_held() const;
 };
 
@@ -55,6 +60,11 @@ class Runner {
   explicit Runner(Scenario& scenario);
   /// Steps a simulation made of the scenario's scene by somebody else: a peer, or a test.
   Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation);
+  /// Keeps what it takes to go on from these ticks later, in another process: see `saved`.
+  Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks);
+  /// Goes on with a saved run, without the script's callbacks. Measures speak of what is left; hashes, energies and
+  /// expectations of the whole. Throws ScenarioError, naming `file`, when it cannot be resumed. Plots stay empty.
+  Runner(Scenario& scenario, const SavedRun& run, const std::string& file);
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
@@ -71,6 +81,11 @@ class Runner {
   const std::vector<Sample>& samples() const;
   /// Steps what is left and says how it went.
   RunReport finish();
+  /// After the end: the run as it was at one of the ticks to save. Throws ScenarioError.
+  SavedRun saved(std::int64_t tick) const;
+  /// Goes on in another simulation, made of the same scene, that takes up the state of the present one; the script
+  /// follows. Throws ScenarioError when one of the two does not offer that.
+  void move_to(std::unique_ptr<Simulation> fresh);
 
  private:
   struct Impl;

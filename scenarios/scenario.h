@@ -4,6 +4,7 @@
 /// it.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -125,6 +126,9 @@ struct Measure {
   bool has_reference = false;
 };
 
+/// Which of a script's functions: measures count with their references, force fields are one.
+enum class ScriptFunction : std::uint8_t { measure, expectation, field };
+
 /// What happens at which time. A script acts on the simulation it is bound to through commands, and may add to the
 /// scenario's picture while it runs. All functions may throw ScenarioError.
 class Script {
@@ -142,6 +146,17 @@ class Script {
   virtual std::optional<double> reference(int index, std::int64_t tick) = 0;
   virtual bool expectation(int index) = 0;
   virtual double plot_value(int plot, int curve) = 0;
+
+  /// From now on adds to `log` every command the script gives; null ends it.
+  virtual void log_commands(std::vector<Command>* log) = 0;
+  /// Somebody else has given this command: now the script knows what it made.
+  virtual void adopt(const Command& command) = 0;
+  /// Whether anything is due at some time, or waits for an event.
+  virtual bool has_callbacks() const = 0;
+  /// Notes what all variables hold that measures, expectations and force fields can see.
+  virtual void remember_variables() = 0;
+  /// The name of a variable that this function can see and that holds something else than it did then.
+  virtual std::optional<std::string> changed_variable(ScriptFunction what, int index) = 0;
 };
 
 /// One loaded scenario. Loading and running it needs no display.
@@ -158,7 +173,9 @@ struct Scenario {
   std::vector<Measure> measures;
   std::vector<Expectation> expectations;
   std::vector<std::string> warnings;
-  std::vector<std::string> body_names;  ///< of body i + 1; grows with the bodies a running script makes
+  std::uint64_t source_hash = 0;                ///< XXH3 of its text and of all it includes
+  std::map<std::string, std::string> settings;  ///< what `--set` replaced: full key, value
+  std::vector<std::string> body_names;          ///< of body i + 1; grows with the bodies a running script makes
   std::unique_ptr<Script> script;
 
   /// Ticks of the whole run: round(duration * rate).

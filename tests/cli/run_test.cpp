@@ -186,7 +186,7 @@ TEST_CASE("What the design has and this program has not is said by name", "[cli]
     REQUIRE(o.status == 2);
     REQUIRE_THAT(o.err, Contains(name) && Contains("not built yet"));
   }
-  for (const char* option : {"--peer", "--save", "--resume"}) {
+  for (const char* option : {"--peer"}) {
     const Outcome o = proofreel_program({"run", "x", option, "y"});
     REQUIRE(o.status == 2);
     REQUIRE_THAT(o.err, Contains(option) && Contains("not built yet"));
