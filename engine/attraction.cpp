@@ -10,7 +10,9 @@ Vec2 place_of(const std::vector<Body>& bodies, const std::vector<Motion>& motion
   return bodies[i].center + motions[i].delta;
 }
 
-bool is_pulled(const Body& body) { return body.alive && body.type == BodyType::dynamic; }
+bool is_pulled(const Body& body) { return body.alive && body.acts_as == BodyType::dynamic; }
+/// Sleepers too: nothing pulls them, but they are where they are.
+bool has_potential(const Body& body) { return body.alive && body.type == BodyType::dynamic; }
 
 /// The point that pulls, or nothing when its body is gone.
 struct Center {
@@ -61,7 +63,7 @@ double potential_of(const AttractorDef& attractor, const std::vector<Body>& bodi
   if (!center.exists) return 0;
   double sum = 0;
   for (BodyIndex i = 1; i < bodies.size(); ++i) {
-    if (!is_pulled(bodies[i]) || i == center.body) continue;
+    if (!has_potential(bodies[i]) || i == center.body) continue;
     const Vec2d way(center.place - place_of(bodies, motions, i));
     const double strength = static_cast<double>(bodies[i].mass) * attractor.strength;
     sum += attractor.law == AttractionLaw::linear ? 0.5 * strength * length_squared(way)
@@ -88,9 +90,9 @@ double mutual_potential(double gravitational_constant, const std::vector<Body>& 
                         const std::vector<Motion>& motions) {
   double sum = 0;
   for (BodyIndex i = 1; i < bodies.size(); ++i) {
-    if (!is_pulled(bodies[i])) continue;
+    if (!has_potential(bodies[i])) continue;
     for (BodyIndex j = i + 1; j < bodies.size(); ++j) {
-      if (!is_pulled(bodies[j])) continue;
+      if (!has_potential(bodies[j])) continue;
       const Vec2d way(place_of(bodies, motions, j) - place_of(bodies, motions, i));
       sum -= gravitational_constant * static_cast<double>(bodies[i].mass) * static_cast<double>(bodies[j].mass) *
              inverse_distance(way);

@@ -39,6 +39,7 @@ struct Motion {
 struct Body {
   std::string name;
   BodyType type = BodyType::fixed;
+  BodyType acts_as = BodyType::fixed;  ///< its type; `fixed` while it sleeps, so that no force is asked for
   bool alive = true;
   bool fixed_rotation = false;
   bool bullet = false;
@@ -55,6 +56,8 @@ struct Body {
   std::vector<ShapeDef> defs;         ///< what the shapes and the mass were made from
   std::optional<double> given_mass;
   std::optional<double> given_inertia;
+
+  bool asleep() const { return acts_as != type; }
 };
 
 /// Turns `q` by `angle` radians. Small angles, the usual case within a step, take a short series instead of the full

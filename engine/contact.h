@@ -27,7 +27,8 @@ struct Contact {
   BodyIndex body_b = 0;
   bool sensor = false;
   bool touching = false;
-  bool sliding = false;  ///< of the two coefficients of friction the kinetic one counts
+  bool sliding = false;      ///< of the two coefficients of friction the kinetic one counts
+  std::uint32_t number = 0;  ///< in order of creation
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
@@ -38,6 +39,13 @@ struct Contact {
   PointImpulse impulses[2];
   real rolling_impulse = 0;  ///< N m s on B in the last substep
 };
+
+/// Whether one side has pushed the other during the last tick.
+inline bool pushes(const Contact& contact) {
+  bool any = false;
+  for (int k = 0; k < contact.manifold.count; ++k) any |= contact.impulses[k].normal_total > 0;
+  return any;
+}
 
 /// Coefficients of two shapes together: friction sqrt(a b), static with static and kinetic with kinetic; restitution
 /// and rolling resistance the larger; surface speeds summed.

@@ -12,7 +12,8 @@ EffectCensus::EffectCensus(const Scene& scene)
       nbody_(scene.gravitational_constant.has_value()),
       rocket_(!scene.rockets.empty()),
       buoyancy_(scene.water.has_value()),
-      field_(!scene.fields.empty()) {}
+      field_(!scene.fields.empty()),
+      sleeping_(scene.sleeping) {}
 
 void EffectCensus::add(const BodyDef& body) {
   drag_ |= body.drag && body.drag->acts();
@@ -87,6 +88,7 @@ std::vector<EffectDecision> EffectCensus::decisions() const {
   decide(Effect::motors, motor_, "a joint is driven", "no joint is driven");
   decide(Effect::breakage, breakable_, "a joint can break", "no joint can break");
   at_contacts(Effect::sensors, sensor_, "bodies can meet, and one is a sensor", "no body is a sensor");
+  decide(Effect::sleeping, sleeping_, "on_sleep is used", "no on_sleep is used, and no list of effects names it");
   return all;
 }
 
@@ -96,6 +98,10 @@ std::vector<EffectDecision> EffectCensus::decisions(EffectSet listed) const {
     const bool called_for = decision.on;
     decision.on = listed.has(decision.effect);
     if (decision.on == called_for) continue;
+    if (decision.effect == Effect::sleeping && decision.on) {  // nothing else in a scene calls for it
+      decision.why = "the list of effects names it";
+      continue;
+    }
     decision.why = decision.on ? "the list of effects names it, though " + decision.why
                                : "the list of effects omits it, though " + decision.why;
   }
@@ -161,6 +167,9 @@ std::optional<std::string> problem_with_method(const Scene& scene) {
   if (divides_time && (effects.has(Effect::rocket) || effects.has(Effect::field)))
     return std::string("contact_solver \"event\" makes steps of any length, which rockets and fields cannot follow: ") +
            "use \"exact\"";
+  if (divides_time && effects.has(Effect::sleeping))
+    return std::string("contact_solver \"event\" makes steps of any length, which nobody sleeps through: ") +
+           "use \"exact\", or take \"sleeping\" out of the effects";
   if (steps_everything(integrator)) return std::nullopt;
   const std::string method = std::string("integrator \"") + name_of(integrator) + "\" ";
   if (effects.has(Effect::contacts))
@@ -168,6 +177,8 @@ std::optional<std::string> problem_with_method(const Scene& scene) {
            "\"symplectic_euler\", or give the bodies one negative group";
   if (effects.has(Effect::rocket))
     return method + "cannot step a rocket, whose mass changes on the way: use \"verlet\" or \"symplectic_euler\"";
+  if (effects.has(Effect::sleeping))
+    return method + "cannot leave out bodies that sleep: use \"verlet\" or \"symplectic_euler\"";
   if (integrator == Integrator::suzuki4) {
     if (effects.has(Effect::joints) && scene.method.joint_solver == JointMethod::iterative)
       return method + "composes steps that joints must not spoil: use joint_solver \"direct\"";
@@ -222,6 +233,8 @@ const char* name_of(Effect effect) {
       return "breakage";
     case Effect::sensors:
       return "sensors";
+    case Effect::sleeping:
+      return "sleeping";
   }
   return "";
 }

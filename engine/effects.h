@@ -25,6 +25,7 @@ class EffectCensus {
   explicit EffectCensus(const Scene& scene);
   void add(const BodyDef& body);
   void add(const JointDef& joint);
+  void allow_sleep() { sleeping_ = true; }
   EffectSet inferred() const;
   /// What is inferred, effect by effect, with the reasons.
   std::vector<EffectDecision> decisions() const;
@@ -67,6 +68,7 @@ class EffectCensus {
   bool limit_ = false;
   bool motor_ = false;
   bool breakable_ = false;
+  bool sleeping_ = false;
 };
 
 /// The effects a simulation of this scene runs: its list, or what can be inferred from what it holds.

@@ -12,7 +12,7 @@ Vec2d FieldForces::force_on(const Body& body, const Motion& motion, Vec2d veloci
 void FieldForces::kick_at_begin(const std::vector<Body>& bodies, std::vector<Motion>& motions, double time, real h) {
   forces_.assign(bodies.size(), {});
   for (BodyIndex i = 1; i < bodies.size(); ++i) {
-    if (bodies[i].type != BodyType::dynamic) continue;
+    if (bodies[i].acts_as != BodyType::dynamic) continue;
     forces_[i] = force_on(bodies[i], motions[i], Vec2d(motions[i].velocity), time);
     motions[i].velocity += h * motions[i].inv_mass * Vec2(forces_[i]);
   }
@@ -26,7 +26,7 @@ double FieldForces::drifted(const std::vector<Motion>& motions, real h) {
 
 double FieldForces::kick_at_end(const std::vector<Body>& bodies, std::vector<Motion>& motions, double time, real h) {
   for (BodyIndex i = 1; i < bodies.size(); ++i) {
-    if (bodies[i].type != BodyType::dynamic) continue;
+    if (bodies[i].acts_as != BodyType::dynamic) continue;
     const Vec2 foretold = motions[i].velocity + h * motions[i].inv_mass * Vec2(forces_[i]);
     forces_[i] = force_on(bodies[i], motions[i], Vec2d(foretold), time);
     motions[i].velocity += h * motions[i].inv_mass * Vec2(forces_[i]);

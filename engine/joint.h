@@ -34,6 +34,7 @@ struct Joint {
   JointKind kind = JointKind::revolute;
   bool alive = true;
   bool broken = false;
+  bool acts = true;  ///< it is alive, and its bodies are awake
   BodyIndex body_a = 0;
   BodyIndex body_b = 0;
   Vec2 local_a;  ///< anchors in the bodies' axes, from their centres of mass
@@ -100,6 +101,13 @@ real joint_offset(const Joint& joint, const std::vector<Joint>& joints, const st
 /// How far the joint is from what it should be, in metres; 0 for soft ones. Angles count by the joint's size.
 real violation(const Joint& joint, const std::vector<Joint>& joints, const std::vector<Body>& bodies,
                const std::vector<Motion>& motions);
+
+/// At the begin of a tick.
+inline void forget_reaction(Joint& joint) {
+  joint.impulse = {};
+  joint.soft_impulse = {};
+  joint.twist = 0;
+}
 
 /// Energy held by its spring, J.
 double stored_energy(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions);

@@ -23,6 +23,9 @@ class JointGroup {
   JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<Joint>& joints,
              const std::vector<Motion>& motions, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
+  std::uint32_t first_joint() const { return rows_.front().joint; }
+  /// Joints of one group sleep together.
+  bool acts(const std::vector<Joint>& joints) const { return joints[rows_.front().joint].acts; }
   /// Takes directions from the present positions. Call after every drift.
   void linearize(const JointedBodies& scene);
   /// Starts a substep of `h` from the impulses of the one before; motors give the `share` of them that belongs before

@@ -1,6 +1,7 @@
 #include "engine/joint_solver.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -69,13 +70,41 @@ class JointGraph {
 
 }  // namespace
 
+namespace {
+
+/// Groups move no bodies of each other, so their order decides nothing; but sums over them shall not depend on who
+/// slept when.
+void put_in_order(std::vector<JointGroup>& groups) {
+  std::sort(groups.begin(), groups.end(),
+            [](const JointGroup& a, const JointGroup& b) { return a.first_joint() < b.first_joint(); });
+}
+
+}  // namespace
+
 void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted) {
+  wanted_ = wanted;
   if (method_ == JointMethod::iterative) return sweeps_.rebuild(joints, wanted);
   groups_.clear();
+  asleep_.clear();
   for (const Ids& ids : JointGraph(joints, motions).groups()) {
     JointGroup group(ids, joints, motions, wanted);
     if (!group.empty()) groups_.push_back(std::move(group));
   }
+  put_in_order(groups_);
+}
+
+void JointSolver::lay_aside_sleepers(const std::vector<Joint>& joints) {
+  if (method_ == JointMethod::iterative) return sweeps_.rebuild(joints, wanted_);
+  const auto move_if = [&](std::vector<JointGroup>& from, std::vector<JointGroup>& to, bool acts) {
+    const auto moved = std::stable_partition(from.begin(), from.end(),
+                                             [&](const JointGroup& group) { return group.acts(joints) != acts; });
+    std::move(moved, from.end(), std::back_inserter(to));
+    from.erase(moved, from.end());
+  };
+  move_if(groups_, asleep_, false);
+  move_if(asleep_, groups_, true);
+  put_in_order(groups_);
+  put_in_order(asleep_);
 }
 
 void JointSolver::linearize(const JointedBodies& scene) {

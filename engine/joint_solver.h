@@ -21,6 +21,8 @@ class JointSolver {
   explicit JointSolver(JointMethod method) : method_(method) {}
   /// Groups and numbers the rows anew. Call when joints or bodies come or go.
   void rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted);
+  /// Lays the groups of sleepers aside and takes up those that have woken.
+  void lay_aside_sleepers(const std::vector<Joint>& joints);
   bool empty() const { return groups_.empty() && sweeps_.empty(); }
 
   // One group of the direct solver: who is in it, and how it answers (joint_group.h).
@@ -41,7 +43,9 @@ class JointSolver {
 
  private:
   JointMethod method_;
+  RowsWanted wanted_;
   std::vector<JointGroup> groups_;  ///< direct
+  std::vector<JointGroup> asleep_;  ///< the groups of sleepers
   JointSweeps sweeps_;              ///< iterative
 };
 

@@ -36,7 +36,7 @@ real response_of(const Terms& terms, const std::vector<Motion>& motions) {
 void JointSweeps::rebuild(const std::vector<Joint>& joints, RowsWanted wanted) {
   rows_.clear();
   for (std::uint32_t i = 0; i < joints.size(); ++i) {
-    if (!joints[i].alive || is_soft(joints[i].kind)) continue;
+    if (!joints[i].acts || is_soft(joints[i].kind)) continue;
     const std::vector<RowPlan> plans = plan_rows(joints[i], wanted);
     for (std::size_t slot = 0; slot < plans.size(); ++slot) {
       Row& row = rows_.emplace_back();

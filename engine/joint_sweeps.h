@@ -12,6 +12,7 @@ inline namespace PROOFREEL_PRECISION {
 
 class JointSweeps {
  public:
+  /// Makes the rows of all joints that act. Call also when some fall asleep or wake.
   void rebuild(const std::vector<Joint>& joints, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
   /// Takes directions from the present positions. Call after every drift.

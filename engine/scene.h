@@ -243,9 +243,10 @@ enum class Effect : std::uint8_t {
   limits,
   motors,
   breakage,
-  sensors
+  sensors,
+  sleeping
 };
-inline constexpr int effect_count = 20;
+inline constexpr int effect_count = 21;
 
 /// A set of effects.
 class EffectSet {
@@ -281,6 +282,7 @@ struct Scene {
   std::optional<double> gravitational_constant;  ///< m^3/(kg s^2): dynamic bodies attract each other
   std::vector<RocketDef> rockets;
   std::optional<WaterDef> water;
+  bool sleeping = false;           ///< somebody asks when bodies fall asleep: those that rest may
   std::vector<ForceField> fields;  ///< add up; what they refer to must outlive the simulation
 };
 

@@ -116,9 +116,9 @@ void exchange(Archive& archive, T& method) {
 /// Force fields are functions and only counted.
 template <typename Archive>
 void exchange(Archive& archive, const Scene& scene) {
-  const auto& [rate, gravity, method, effects, bodies, joints, drag, wind, attractors, constant, rockets, water,
-               fields] = scene;
-  archive(rate, gravity, method, effects, bodies, joints, drag, wind, attractors, constant, rockets, water,
+  const auto& [rate, gravity, method, effects, sleeping, bodies, joints, drag, wind, attractors, constant, rockets,
+               water, fields] = scene;
+  archive(rate, gravity, method, effects, sleeping, bodies, joints, drag, wind, attractors, constant, rockets, water,
           fields.size());
 }
 
@@ -178,6 +178,21 @@ void exchange(Archive& archive, T& command) {
   archive(joint, target, speed, velocity);
 }
 
+template <typename Archive, Exchanged<WakeBody> T>
+void exchange(Archive& archive, T& command) {
+  auto& [body] = command;
+  archive(body);
+}
+
+template <typename Archive, Exchanged<AllowSleep> T>
+void exchange(Archive&, T&) {}
+
+template <typename Archive, Exchanged<SleepEvent> T>
+void exchange(Archive& archive, T& event) {
+  auto& [body, asleep] = event;
+  archive(body, asleep);
+}
+
 template <typename Archive, Exchanged<ContactEvent> T>
 void exchange(Archive& archive, T& event) {
   auto& [a, b, point, normal, impulse] = event;
@@ -205,9 +220,9 @@ void exchange(Archive& archive, T& energy) {
 template <typename Archive, typename Self>
 void EffectCensus::exchange(Archive& archive, Self& census) {
   auto& [gravity, drag, wind, attractor, nbody, rocket, buoyancy, field, classes, friction, rolling_resistance,
-         restitution, surface_speed, sensor, spring, rigid_joint, limit, motor, breakable] = census;
+         restitution, surface_speed, sensor, spring, rigid_joint, limit, motor, breakable, sleeping] = census;
   archive(gravity, drag, wind, attractor, nbody, rocket, buoyancy, field, classes, friction, rolling_resistance,
-          restitution, surface_speed, sensor, spring, rigid_joint, limit, motor, breakable);
+          restitution, surface_speed, sensor, spring, rigid_joint, limit, motor, breakable, sleeping);
 }
 
 /// Equal for two scenes only when they are alike in everything but what their force fields do.

@@ -86,8 +86,15 @@ struct ChangeJoint {
   std::optional<Vec2d> velocity;  ///< of a motor joint that has a max_force
 };
 
+/// Wakes the island the body sleeps in.
+struct WakeBody {
+  BodyId body{};
+};
+/// From now on bodies that rest may fall asleep, unless a list of effects has decided.
+struct AllowSleep {};
+
 using Command = std::variant<CreateBody, ChangeBody, RemoveBody, ApplyImpulse, ApplyForce, ApplyTorque, CreateJoint,
-                             RemoveJoint, ChangeJoint>;
+                             RemoveJoint, ChangeJoint, WakeBody, AllowSleep>;
 
 /// Two shapes that did not touch before the last tick and do now (a sensor counts as touched on overlap).
 struct ContactEvent {
@@ -103,6 +110,13 @@ struct BreakEvent {
   JointId joint{};
   Vec2d point;     ///< where it held b, world
   Vec2d reaction;  ///< N on b, mean over the tick
+};
+
+/// A body that fell asleep or woke.
+struct SleepEvent {
+  BodyId body{};
+  bool asleep = false;
+  friend bool operator==(const SleepEvent&, const SleepEvent&) = default;
 };
 
 /// Why a simulation stopped: most often a number that is not finite.
@@ -129,9 +143,19 @@ class Simulation {
     static const std::vector<BreakEvent> none;
     return none;
   }
+  /// Of the last tick and the commands before it, in the order in which they happened; those of one moment in order of
+  /// the bodies' ids. A simulation whose bodies never sleep has none.
+  virtual const std::vector<SleepEvent>& sleep_events() const {
+    static const std::vector<SleepEvent> none;
+    return none;
+  }
   virtual bool exists(BodyId body) const = 0;
   virtual bool exists(JointId joint) const = 0;
   virtual BodyState body(BodyId body) const = 0;
+  virtual bool asleep(BodyId body) const {
+    static_cast<void>(body);
+    return false;
+  }
   virtual JointView joint(JointId joint) const = 0;
   /// All contacts, speculative ones (separation > 0, no impulse) too. The point impulses are those of the last tick.
   virtual std::vector<ContactView> contacts() const = 0;
@@ -153,6 +177,8 @@ class Simulation {
   virtual std::optional<std::string> restore(std::span<const std::byte> /*bytes*/) {
     return "cannot be taken up by this kind of simulation";
   }
+  /// From now on `BodyView::island` is found for every snapshot; until then it is 0.
+  virtual void keep_islands() {}
   /// From now on adds to `times` what every stage takes; null ends it. Where nobody measures, all stay zero.
   virtual void time_stages(StageTimes* times) { static_cast<void>(times); }
 };

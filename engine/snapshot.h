@@ -43,6 +43,8 @@ struct BodyView {
   Vec2d force;  ///< N, mean over the last tick: mass times the change of velocity over time, gravity and contacts
                 ///< included
   bool asleep = false;
+  std::uint32_t island =
+      0;  ///< 1, 2, ... in order of the least id in it; 0 for what is not dynamic, or where none asked
   bool sensor = false;
   std::uint32_t color = 0;  ///< 0xRRGGBB, valid when has_color
   bool has_color = false;

@@ -23,9 +23,10 @@ enum class StepStage : std::uint8_t {
   springs,
   contact_solver,
   joint_solver,
+  sleeping,
   motion  ///< positions from velocities, and what is kept at every tick
 };
-inline constexpr std::size_t stage_count = 14;
+inline constexpr std::size_t stage_count = 15;
 
 /// CPU time by stage, s, summed over all ticks so far.
 struct StageTimes {

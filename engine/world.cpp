@@ -17,8 +17,8 @@ constexpr real contact_damping_ratio = 10;
 constexpr real contact_stiffness = real(0.125);
 
 /// Each body moves by itself under these. Those that only change what contacts do are among them.
-constexpr EffectSet effects_of_free_bodies{Effect::gravity,     Effect::drag, Effect::wind,   Effect::friction,
-                                           Effect::restitution, Effect::ccd,  Effect::sensors};
+constexpr EffectSet effects_of_free_bodies{Effect::gravity,     Effect::drag, Effect::wind,    Effect::friction,
+                                           Effect::restitution, Effect::ccd,  Effect::sensors, Effect::sleeping};
 
 std::uint64_t unordered_key(BodyIndex a, BodyIndex b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
@@ -72,6 +72,7 @@ void World::step_in_stages() {
   timed(StepStage::motion, [this] { end_tick(); });
   break_joints();
   collect_events();
+  if (on(Effect::sleeping)) timed(StepStage::sleeping, [this] { look_for_rest(); });
   detect_failure();
 }
 
@@ -82,6 +83,7 @@ void World::rebuild_if_changed() {
   bodies_are_free_ = steps_everything(method_.integrator) && effects_.has_only(effects_of_free_bodies);
   gather_free_forces();
   rebuild_joints();
+  if (on(Effect::sleeping)) prepare_sleep();
   if (!on(Effect::contacts)) return;
   if (ground_changed_) join_fixed_shapes();
   ground_changed_ = false;
@@ -107,12 +109,16 @@ void World::gather_free_forces() {
   for (BodyIndex i = 0; i < accelerations_.size(); ++i) accelerations_[i] = acceleration_of(i);
   drags_.assign(on(Effect::drag) ? bodies_.size() : 0, DragDef{});
   for (BodyIndex i = 0; i < drags_.size(); ++i) {
-    if (bodies_[i].type == BodyType::dynamic) drags_[i] = bodies_[i].drag.value_or(drag_);
+    drags_[i] = drag_of(i);
   }
 }
 
 Vec2 World::acceleration_of(BodyIndex i) const {
-  return bodies_[i].type == BodyType::dynamic ? bodies_[i].gravity_scale * effective_gravity() : Vec2{};
+  return bodies_[i].acts_as == BodyType::dynamic ? bodies_[i].gravity_scale * effective_gravity() : Vec2{};
+}
+
+DragDef World::drag_of(BodyIndex i) const {
+  return bodies_[i].acts_as == BodyType::dynamic ? bodies_[i].drag.value_or(drag_) : DragDef{};
 }
 
 void World::begin_tick() {
@@ -127,16 +133,14 @@ void World::begin_tick() {
     push.angle_before = motions_[push.body].angle;
     accelerations_[push.body] = motions_[push.body].inv_mass * push.force + acceleration_of(push.body);
   }
-  for (Joint& joint : joints_) {
-    joint.impulse = {};
-    joint.soft_impulse = {};
-    joint.twist = 0;
-  }
+  if (on(Effect::sleeping)) return begin_tick_of_sleepers();
+  for (Joint& joint : joints_) forget_reaction(joint);
 }
 
 void World::find_contacts() {
   timed(StepStage::broad_phase, [this] { find_pairs(); });
-  timed(StepStage::narrow_phase, [this] { update_manifolds(); });
+  timed(StepStage::narrow_phase, [this] { update_manifolds(contacts_); });
+  if (on(Effect::sleeping)) timed(StepStage::sleeping, [this] { wake_what_is_touched(); });
 }
 
 void World::prepare_solvers() {

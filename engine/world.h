@@ -16,10 +16,12 @@
 #include "engine/exact_contacts.h"
 #include "engine/field.h"
 #include "engine/free_motion.h"
+#include "engine/islands.h"
 #include "engine/joint.h"
 #include "engine/joint_solver.h"
 #include "engine/rocket.h"
 #include "engine/simulation.h"
+#include "engine/sleep.h"
 #include "engine/smooth_motion.h"
 
 namespace proofreel {
@@ -34,8 +36,10 @@ class World final : public Simulation {
   std::int64_t tick() const override { return tick_; }
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
   const std::vector<BreakEvent>& break_events() const override { return break_events_; }
+  const std::vector<SleepEvent>& sleep_events() const override { return sleep_.events; }
   bool exists(BodyId id) const override;
   bool exists(JointId id) const override;
+  bool asleep(BodyId id) const override { return bodies_[static_cast<std::size_t>(id)].asleep(); }
   BodyState body(BodyId id) const override;
   JointView joint(JointId id) const override;
   std::vector<ContactView> contacts() const override;
@@ -53,6 +57,7 @@ class World final : public Simulation {
   /// For archives (world_archive.cpp).
   template <typename Archive, typename Self>
   static void exchange(Archive& archive, Self& world);
+  void keep_islands() override { islands_kept_ = true; }
 
  private:
   /// What commands push a body with during the next tick.
@@ -65,10 +70,14 @@ class World final : public Simulation {
     static void exchange(Archive& archive, Self& push);
   };
 
+  /// Of a tick.
+  enum class Moment : std::uint8_t { before, amid, after };
+
   // A tick (world.cpp), in order.
   void rebuild_if_changed();
   void gather_free_forces();
   Vec2 acceleration_of(BodyIndex index) const;
+  DragDef drag_of(BodyIndex index) const;
   void begin_tick();
   void step_in_stages();
   void find_contacts();
@@ -99,7 +108,7 @@ class World final : public Simulation {
   void update_boxes();
   void drop_parted_contacts();
   void add_new_pairs();
-  void update_manifolds();
+  void update_manifolds(std::vector<Contact>& contacts);
   void fly_all();
   void bounce(real h);
   void accelerate(real h);
@@ -153,6 +162,45 @@ class World final : public Simulation {
                        real span) const;
   static void add_touch(Touch& touch, const Contact& contact);
   void show_touches();
+  // Islands (world_islands.cpp).
+  std::vector<std::uint32_t> find_islands(bool sleepers_too) const;
+  void add_links(const Joint& joint, std::vector<Link>& links) const;
+  bool is_solved(const Joint& joint) const;
+  bool is_driven(const Joint& joint) const;
+  bool moves_unpushed(BodyIndex index) const;
+  std::vector<IslandState> judge_islands(const std::vector<std::uint32_t>& islands, const Resting& rests) const;
+
+  // Sleep (world_sleep.cpp).
+  void prepare_sleep();
+  void begin_tick_of_sleepers();
+  void wake_what_is_touched();
+  void look_for_rest();
+  void put_to_sleep(const Resting& rests);
+  void fall_asleep(BodyIndex index, BodyIndex island);
+  void set_acting(BodyIndex index, BodyType acts_as);
+  void lay_aside_sleepers();
+  void sort_out_joints();
+  void wake(const std::vector<BodyIndex>& bodies, Moment moment);
+  void settle_met_sleepers();
+  bool field_changes(BodyIndex index);
+  void wake_in_changed_fields();
+  bool will_press(const Contact& contact) const;
+  bool anything_pulls_that_moves() const;
+
+  // Whom a command wakes (world_wake.cpp).
+  void wake_for(const CreateBody&) {}
+  void wake_for(const ChangeBody& command);
+  void wake_for(const RemoveBody& command);
+  void wake_for(const ApplyImpulse& command);
+  void wake_for(const ApplyForce& command);
+  void wake_for(const ApplyTorque& command);
+  void wake_for(const CreateJoint& command);
+  void wake_for(const RemoveJoint& command);
+  void wake_for(const ChangeJoint& command);
+  void wake_for(const WakeBody& command);
+  void wake_for(const AllowSleep&) {}
+  void wake_at(BodyIndex index);
+  void wake_at(const Joint& joint);
 
   // Commands (world_commands.cpp).
   void execute(const CreateBody& command);
@@ -164,6 +212,8 @@ class World final : public Simulation {
   void execute(const CreateJoint& command);
   void execute(const RemoveJoint& command);
   void execute(const ChangeJoint& command);
+  void execute(const WakeBody& command);
+  void execute(const AllowSleep& command);
   void add_body(const BodyDef& def);
   void add_joint(const JointDef& def);
   void remove_joint(std::size_t index);
@@ -196,6 +246,7 @@ class World final : public Simulation {
   bool shapes_are_sound() const;
   bool joints_are_sound() const;
   bool contacts_are_sound() const;
+  bool sleep_is_sound() const;
 
   bool hinged_together(BodyIndex a, BodyIndex b) const;
   Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
@@ -232,6 +283,7 @@ class World final : public Simulation {
   bool has_broad_phase_ = false;
   bool bodies_are_free_ = false;  ///< nothing that is on lets one body act on another
   bool forces_kept_ = false;
+  bool islands_kept_ = false;
   bool commanded_ = false;  ///< since the last tick
 
   std::vector<Body> bodies_;
@@ -245,6 +297,7 @@ class World final : public Simulation {
   std::vector<Rocket> rockets_;
   BroadPhase broad_phase_;
   std::vector<Contact> contacts_;
+  std::uint32_t contacts_made_ = 0;
   ContactSolver contact_solver_;
   ExactContacts exact_contacts_;
   JointSolver joint_solver_;
@@ -259,6 +312,7 @@ class World final : public Simulation {
   std::optional<WaterDef> water_;
   std::vector<Wetted> wetted_;  ///< by body, since the bodies were last moved
   FieldForces fields_;
+  Sleep sleep_;
   std::int64_t drifts_ = 0;  ///< substeps so far, counted where their fields are asked
   double booked_work_ = 0;
   std::int64_t tick_ = 0;

@@ -25,10 +25,10 @@ void exchange(Archive& archive, T& motion) {
 
 template <typename Archive, Exchanged<Body> T>
 void exchange(Archive& archive, T& body) {
-  auto& [name, type, alive, fixed_rotation, bullet, sensor, center, local_center, mass, inertia, gravity_scale, filter,
-         drag, color, shapes, defs, given_mass, given_inertia] = body;
-  archive(name, type, alive, fixed_rotation, bullet, sensor, center, local_center, mass, inertia, gravity_scale, filter,
-          drag, color, shapes, defs, given_mass, given_inertia);
+  auto& [name, type, acts_as, alive, fixed_rotation, bullet, sensor, center, local_center, mass, inertia, gravity_scale,
+         filter, drag, color, shapes, defs, given_mass, given_inertia] = body;
+  archive(name, type, acts_as, alive, fixed_rotation, bullet, sensor, center, local_center, mass, inertia,
+          gravity_scale, filter, drag, color, shapes, defs, given_mass, given_inertia);
 }
 
 template <typename Archive, Exchanged<Hull> T>
@@ -88,12 +88,12 @@ void exchange(Archive& archive, T& motor) {
 
 template <typename Archive, Exchanged<Joint> T>
 void exchange(Archive& archive, T& joint) {
-  auto& [kind, alive, broken, body_a, body_b, local_a, local_b, local_axis, length, angle, offset, size, stiffness,
-         damping, ratio, limits, motor, break_force, first, second, pin_a, pin_b, target, velocity, max_force, impulse,
-         soft_impulse, twist, memory] = joint;
-  archive(kind, alive, broken, body_a, body_b, local_a, local_b, local_axis, length, angle, offset, size, stiffness,
-          damping, ratio, limits, motor, break_force, first, second, pin_a, pin_b, target, velocity, max_force, impulse,
-          soft_impulse, twist, memory);
+  auto& [kind, alive, acts, broken, body_a, body_b, local_a, local_b, local_axis, length, angle, offset, size,
+         stiffness, damping, ratio, limits, motor, break_force, first, second, pin_a, pin_b, target, velocity,
+         max_force, impulse, soft_impulse, twist, memory] = joint;
+  archive(kind, alive, acts, broken, body_a, body_b, local_a, local_b, local_axis, length, angle, offset, size,
+          stiffness, damping, ratio, limits, motor, break_force, first, second, pin_a, pin_b, target, velocity,
+          max_force, impulse, soft_impulse, twist, memory);
 }
 
 template <typename Archive, Exchanged<Rocket> T>
@@ -122,10 +122,10 @@ void exchange(Archive& archive, T& impulse) {
 
 template <typename Archive, Exchanged<Contact> T>
 void exchange(Archive& archive, T& contact) {
-  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, sliding, friction_at_rest, friction_sliding, restitution,
-         rolling_resistance, surface_speed, manifold, a_to_b, impulses, rolling_impulse] = contact;
-  archive(shape_a, shape_b, body_a, body_b, sensor, touching, sliding, friction_at_rest, friction_sliding, restitution,
-          rolling_resistance, surface_speed, manifold, a_to_b, impulses, rolling_impulse);
+  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, sliding, number, friction_at_rest, friction_sliding,
+         restitution, rolling_resistance, surface_speed, manifold, a_to_b, impulses, rolling_impulse] = contact;
+  archive(shape_a, shape_b, body_a, body_b, sensor, touching, sliding, number, friction_at_rest, friction_sliding,
+          restitution, rolling_resistance, surface_speed, manifold, a_to_b, impulses, rolling_impulse);
 }
 
 /// The children share their place with the owner.
@@ -161,6 +161,25 @@ void JointGroup::exchange(Archive& archive, Self& group) {
 template <typename Archive, typename Self>
 void JointSolver::exchange(Archive& archive, Self& solver) {
   for (auto& group : solver.groups_) archive(group);
+  for (auto& group : solver.asleep_) archive(group);
+}
+
+template <typename Archive, typename Self>
+void RestClock::exchange(Archive& archive, Self& clock) {
+  auto& [center, angle, fastest, ticks] = clock;
+  archive(center, angle, fastest, ticks);
+}
+
+template <typename Archive, Exchanged<RestScale> T>
+void exchange(Archive& archive, T& scale) {
+  auto& [reach, ticks] = scale;
+  archive(reach, ticks);
+}
+
+template <typename Archive, Exchanged<Sleep> T>
+void exchange(Archive& archive, T& sleep) {
+  auto& [scales, clocks, islands, forces, contacts, events, next_events, sleepers] = sleep;
+  archive(scales, clocks, islands, forces, contacts, events, next_events, sleepers);
 }
 
 template <typename Archive, typename Self>
@@ -174,18 +193,19 @@ void World::exchange(Archive& archive, Self& world) {
   // Not stored: what it was made with, which the fresh one has; what every tick begins with making; who looks on.
   [[maybe_unused]] auto& [scene_hash, method, rate, dt, h, gravity, drag, wind, attractors, gravitational_constant,
                           listed_effects, census, effects, structure_changed, ground_changed, has_broad_phase,
-                          bodies_are_free, forces_kept, commanded, bodies, motions, accelerations, drags, pushed,
-                          velocities_before, shapes, joints, rockets, broad_phase, contacts, contact_solver,
-                          exact_contacts, joint_solver, smooth_integrator, pulled, diverged, hinged, touches, locating,
-                          events, break_events, water, wetted, fields, drifts, booked_work, tick, failure, times] =
-      world;
+                          bodies_are_free, forces_kept, islands_kept, commanded, bodies, motions, accelerations, drags,
+                          pushed, velocities_before, shapes, joints, rockets, broad_phase, contacts, contacts_made,
+                          contact_solver, exact_contacts, joint_solver, smooth_integrator, pulled, diverged, hinged,
+                          touches, locating, events, break_events, water, wetted, fields, sleep, drifts, booked_work,
+                          tick, failure, times] = world;
   archive(census, effects, structure_changed, ground_changed, has_broad_phase, bodies_are_free, commanded, bodies,
           motions, accelerations, drags, pushed, velocities_before, shapes, joints, rockets, broad_phase, contacts,
-          diverged, events, break_events, drifts, booked_work, tick, failure);
+          contacts_made, diverged, events, break_events, sleep, drifts, booked_work, tick, failure);
   if (structure_changed) return;  // the next tick groups the joints anew
   if constexpr (Archive::reads) {
     if (archive.spoilt() || !world.joints_are_sound()) return archive.spoil();
     world.rebuild_joints();
+    if (sleep.sleepers > 0) joint_solver.lay_aside_sleepers(joints);
   }
   archive(joint_solver);
 }

@@ -16,6 +16,7 @@ double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
 /// Whatever a command does to the energy is work from outside. Forces do theirs during the tick (`book_work`).
 void World::apply(const Command& command) {
   const bool acts_later = std::holds_alternative<ApplyForce>(command) || std::holds_alternative<ApplyTorque>(command);
+  if (sleep_.sleepers > 0) std::visit([this](const auto& c) { wake_for(c); }, command);
   const double before = acts_later ? 0 : energy().total();
   std::visit([this](const auto& c) { execute(c); }, command);
   commanded_ = true;
@@ -27,7 +28,7 @@ void World::add_body(const BodyDef& def) {
   Body& body = bodies_.emplace_back();
   Motion& motion = motions_.emplace_back();
   body.name = def.name;
-  body.type = def.type;
+  body.type = body.acts_as = def.type;
   body.fixed_rotation = def.fixed_rotation;
   body.bullet = def.bullet;
   body.sensor = def.sensor;
@@ -139,7 +140,7 @@ void World::execute(const ChangeBody& change) {
   Motion& motion = motions_[index];
   const Vec2d origin = change.position.value_or(origin_of(index));
   ground_changed_ |= body.type == BodyType::fixed;
-  if (change.type) body.type = *change.type;
+  if (change.type) body.type = body.acts_as = *change.type;
   if (change.angle) {
     motion.angle = static_cast<real>(*change.angle);
     motion.rotation = Rot(Rotd(*change.angle));
@@ -194,7 +195,7 @@ void World::execute(const RemoveBody& command) {
     if (joints_[i].body_a == index || joints_[i].body_b == index) remove_joint(i);
   }
   bodies_[index].alive = false;
-  bodies_[index].type = BodyType::fixed;
+  bodies_[index].type = bodies_[index].acts_as = BodyType::fixed;
   motions_[index].velocity = {};
   motions_[index].spin = 0;
   motions_[index].inv_mass = 0;
@@ -263,7 +264,7 @@ void World::execute(const CreateJoint& command) { add_joint(command.def); }
 void World::execute(const RemoveJoint& command) { remove_joint(static_cast<std::size_t>(command.joint)); }
 
 void World::remove_joint(std::size_t index) {
-  joints_[index].alive = false;
+  joints_[index].alive = joints_[index].acts = false;
   structure_changed_ = true;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& gear = joints_[i];
@@ -277,6 +278,14 @@ void World::execute(const ChangeJoint& change) {
   if (change.target) joint.target = Vec2(*change.target);
   if (change.velocity) joint.velocity = Vec2(*change.velocity);
   if (change.speed) joint.motor->speed = static_cast<real>(*change.speed);
+}
+
+/// `wake_for` has done it.
+void World::execute(const WakeBody&) {}
+
+void World::execute(const AllowSleep&) {
+  census_.allow_sleep();
+  structure_changed_ = true;
 }
 
 }  // namespace PROOFREEL_PRECISION

@@ -11,7 +11,7 @@ void World::look_at_water() {
   if (!water_) return;
   wetted_.assign(bodies_.size(), {});
   for (BodyIndex i = 1; i < bodies_.size(); ++i) {
-    if (bodies_[i].type == BodyType::dynamic) wetted_[i] = wetted_part(*water_, bodies_[i], motions_[i], shapes_);
+    if (bodies_[i].acts_as == BodyType::dynamic) wetted_[i] = wetted_part(*water_, bodies_[i], motions_[i], shapes_);
   }
 }
 

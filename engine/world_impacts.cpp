@@ -45,7 +45,7 @@ void World::begin_portion() {
     update_boxes();
     add_new_pairs();
   });
-  timed(StepStage::narrow_phase, [this] { update_manifolds(); });
+  timed(StepStage::narrow_phase, [this] { update_manifolds(contacts_); });
   prepare_solvers();
 }
 

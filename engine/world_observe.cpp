@@ -73,13 +73,20 @@ ContactView World::view_of(const Contact& contact) const {
 
 std::vector<ContactView> World::contacts() const {
   std::vector<ContactView> views;
-  for (const Contact& contact : contacts_) {
+  auto sleeping = sleep_.contacts.begin();
+  const auto add = [&](const Contact& contact) {
     if (contact.manifold.count > 0) views.push_back(view_of(contact));
+  };
+  for (const Contact& contact : contacts_) {
+    for (; sleeping != sleep_.contacts.end() && sleeping->number < contact.number; ++sleeping) add(*sleeping);
+    add(contact);
   }
+  for (; sleeping != sleep_.contacts.end(); ++sleeping) add(*sleeping);
   return views;
 }
 
 void World::observe_bodies(Snapshot& snapshot) const {
+  const std::vector<std::uint32_t> islands = islands_kept_ ? find_islands(true) : std::vector<std::uint32_t>{};
   for (BodyIndex i = 1; i < bodies_.size(); ++i) {
     const Body& body_i = bodies_[i];
     if (!body_i.alive) continue;
@@ -92,6 +99,8 @@ void World::observe_bodies(Snapshot& snapshot) const {
       const Vec2 gain = motions_[i].velocity - velocities_before_[i];
       view.force = view.state.mass * static_cast<double>(rate_) * Vec2d(gain);
     }
+    view.asleep = body_i.asleep();
+    if (islands_kept_) view.island = islands[i];
     view.sensor = body_i.sensor;
     view.has_color = body_i.color.has_value();
     view.color = body_i.color.value_or(0);

@@ -117,20 +117,39 @@ bool World::joints_are_sound() const {
 }
 
 bool World::contacts_are_sound() const {
-  if (!contacts_.empty() && !has_broad_phase_) return false;
-  return std::all_of(contacts_.begin(), contacts_.end(), [this](const Contact& c) {
+  if ((!contacts_.empty() || !sleep_.contacts.empty()) && !has_broad_phase_) return false;
+  const auto is_sound = [this](const Contact& c) {
     if (c.shape_a >= shapes_.size() || c.shape_b >= shapes_.size()) return false;
     const Shape& a = shapes_[c.shape_a];
     const Shape& b = shapes_[c.shape_b];
     return a.alive && b.alive && a.body == c.body_a && b.body == c.body_b && c.manifold.count >= 0 &&
            c.manifold.count <= 2;
-  });
+  };
+  return std::all_of(contacts_.begin(), contacts_.end(), is_sound) &&
+         std::all_of(sleep_.contacts.begin(), sleep_.contacts.end(), is_sound);
+}
+
+/// Who sleeps belongs to an island of sleepers, and nobody else does.
+bool World::sleep_is_sound() const {
+  const std::size_t watched = sleep_.islands.size();
+  if (watched > bodies_.size() || sleep_.clocks.size() != watched || sleep_.forces.size() != watched ||
+      sleep_.scales.size() != watched)
+    return false;
+  if (on(Effect::sleeping) && !structure_changed_ && watched != bodies_.size()) return false;
+  int sleepers = 0;
+  for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+    const BodyIndex island = i < watched ? sleep_.islands[i] : 0;
+    if (island >= bodies_.size() || (island != 0) != bodies_[i].asleep()) return false;
+    sleepers += bodies_[i].asleep() ? 1 : 0;
+  }
+  return sleepers == sleep_.sleepers;
 }
 
 /// `least_bodies` are those of the scene, which attractors may name.
 bool World::is_sound(std::size_t least_bodies) const {
   if (bodies_.size() < std::max<std::size_t>(least_bodies, 1) || tick_ < 0) return false;
-  if (!bodies_are_sound() || !shapes_are_sound() || !joints_are_sound() || !contacts_are_sound()) return false;
+  if (!bodies_are_sound() || !shapes_are_sound() || !joints_are_sound() || !contacts_are_sound() || !sleep_is_sound())
+    return false;
   const std::size_t count = bodies_.size();
   if (structure_changed_) return accelerations_.size() <= count && drags_.size() <= count;
   return accelerations_.size() == (on(Effect::gravity) ? count : 0) &&

@@ -23,6 +23,7 @@ void World::add_new_pairs() {
     contact.shape_b = pair.b;
     contact.body_a = shapes_[pair.a].body;
     contact.body_b = shapes_[pair.b].body;
+    contact.number = ++contacts_made_;
     contact.sensor = bodies_[contact.body_a].sensor || bodies_[contact.body_b].sensor;
     mix_materials(contact, shapes_[pair.a], shapes_[pair.b]);
     contacts_.push_back(contact);
@@ -35,7 +36,7 @@ void World::update_boxes() {
   const real fall = locates_impacts() ? dt_ * dt_ * length(effective_gravity()) : real(0);
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
-    if (!shape.alive || bodies_[shape.body].type == BodyType::fixed) continue;
+    if (!shape.alive || bodies_[shape.body].acts_as == BodyType::fixed) continue;
     const Motion& motion = motions_[shape.body];
     const real turn =
         std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
@@ -52,8 +53,8 @@ void World::drop_parted_contacts() {
   });
 }
 
-void World::update_manifolds() {
-  for (Contact& contact : contacts_) {
+void World::update_manifolds(std::vector<Contact>& contacts) {
+  for (Contact& contact : contacts) {
     if (contact.sensor && !on(Effect::sensors)) continue;
     if (hinged_together(contact.body_a, contact.body_b)) {
       contact.manifold.count = 0;
@@ -81,19 +82,19 @@ void World::accelerate(real h) {
 
 void World::kick_springs(real h) {
   for (Joint& joint : joints_) {
-    if (joint.alive && is_springy(joint.kind)) kick_spring(joint, bodies_, motions_, h);
+    if (joint.acts && is_springy(joint.kind)) kick_spring(joint, bodies_, motions_, h);
   }
 }
 
 void World::damp_springs(real h) {
   for (Joint& joint : joints_) {
-    if (joint.alive && is_springy(joint.kind)) damp_spring(joint, bodies_, motions_, h);
+    if (joint.acts && is_springy(joint.kind)) damp_spring(joint, bodies_, motions_, h);
   }
 }
 
 void World::pull_all(real h) {
   for (Joint& joint : joints_) {
-    if (joint.alive && joint.kind == JointKind::drag_to) booked_work_ += pull(joint, bodies_, motions_, h);
+    if (joint.acts && joint.kind == JointKind::drag_to) booked_work_ += pull(joint, bodies_, motions_, h);
   }
 }
 

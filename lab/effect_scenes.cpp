@@ -118,6 +118,14 @@ Scene on_belts(int bodies) {
   return scene;
 }
 
+/// Half a second at rest is more than what is measured: this is what it takes to watch bodies that are awake. (Those
+/// asleep take almost nothing.)
+Scene drowsy(int bodies) {
+  Scene scene = rubbing(bodies);
+  scene.sleeping = true;
+  return scene;
+}
+
 Scene floating(int bodies) {
   Scene scene = discs(bodies);
   scene.water = WaterDef{0, 3, 0.5};
@@ -168,7 +176,7 @@ const std::vector<EffectScene>& effect_scenes() {
       {"friction", rubbing},       {"restitution", springy}, {"rolling_resistance", resisting},
       {"surface_speed", on_belts}, {"buoyancy", floating},   {"field", in_a_field},
       {"hinges", hinged},          {"limits", stopped},      {"motors", driven},
-      {"breakage", breakable}};
+      {"breakage", breakable},     {"sleeping", drowsy}};
   return scenes;
 }
 

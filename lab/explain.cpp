@@ -36,6 +36,7 @@ constexpr Cost costs[] = {
     {Effect::motors, std::nullopt, "joints"},
     {Effect::breakage, std::nullopt, "joints"},
     {Effect::sensors, std::nullopt, "narrow_phase"},
+    {Effect::sleeping, StepStage::sleeping, ""},
 };
 
 const Cost& cost_of(Effect effect) {

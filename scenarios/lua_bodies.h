@@ -36,7 +36,7 @@ void check_body(const BodyDef& def);
 
 /// The words body, ground, wall, world.
 void open_bodies(lua_State* state);
-/// What handles of bodies can do.
+/// What handles of bodies can do, and on_sleep.
 void open_body_methods(lua_State* state);
 
 }  // namespace proofreel

@@ -132,8 +132,43 @@ int remove(lua_State* state) {
   return 0;
 }
 
-int wake(lua_State*) { throw Problem("the method " + not_built("wake")); }
-int asleep(lua_State*) { throw Problem("the method " + not_built("asleep")); }
+/// Nothing sleeps before the first step.
+int wake(lua_State* state) {
+  const BodyId body = pushed(state, "wake");
+  Model& model = model_of(state);
+  if (model.simulation != nullptr) model.apply(WakeBody{body});
+  return 0;
+}
+
+int asleep(lua_State* state) {
+  const BodyId body = receiver(state);
+  const Model& model = model_of(state);
+  lua_pushboolean(state, model.simulation != nullptr && model.simulation->asleep(body) ? 1 : 0);
+  return 1;
+}
+
+/// Whoever asks when a body falls asleep wants that it may.
+void allow_sleep(Model& model) {
+  if (model.scenario.scene.sleeping) return;
+  model.scenario.scene.sleeping = true;
+  model.check_method();
+  model.warn_of_omissions({Effect::sleeping});
+  if (model.simulation != nullptr) model.apply(AllowSleep{});
+}
+
+int on_sleep(lua_State* state) {
+  Model& model = model_of(state);
+  model.must_act("on_sleep");
+  charge_for_making(state);
+  if (lua_gettop(state) != 2) throw Problem("on_sleep needs a body and a function");
+  const BodyId body = own_body(state, 1, "on_sleep(body, fn): body");
+  if (model.type(body) != BodyType::dynamic) {
+    throw Problem("on_sleep(body, fn): body " + quote(model.name(body)) + " never sleeps, for it is not dynamic");
+  }
+  model.sleep_handlers.push_back({body, keep_function(state, 2, "on_sleep(body, fn): fn")});
+  allow_sleep(model);
+  return 0;
+}
 
 }  // namespace
 
@@ -152,6 +187,9 @@ void open_body_methods(lua_State* state) {
   set_word<remove>(state, "remove");
   set_word<wake>(state, "wake");
   set_word<asleep>(state, "asleep");
+  lua_pop(state, 1);
+  lua_pushglobaltable(state);
+  set_word<on_sleep>(state, "on_sleep");
   lua_pop(state, 1);
 }
 

@@ -61,6 +61,11 @@ struct BreakHandler {
   int function = 0;
 };
 
+struct SleepHandler {
+  BodyId body{};
+  int function = 0;
+};
+
 /// What a measure should be: a function of time, or a table of times and values.
 struct Reference {
   std::string measure;
@@ -87,6 +92,7 @@ struct Model {
   std::vector<ContactHandler> contact_handlers;
   std::vector<int> fields;  ///< functions of Scene::fields
   std::vector<BreakHandler> break_handlers;
+  std::vector<SleepHandler> sleep_handlers;
   std::vector<int> measures;      ///< functions of Scenario::measures
   std::vector<int> expectations;  ///< functions of Scenario::expectations
   std::vector<Reference> references;
@@ -97,7 +103,9 @@ struct Model {
   void apply(const Command& command);
   /// Notes what a command has made, which somebody else applied.
   void adopt(const Command& command);
-  bool has_callbacks() const { return !timers.empty() || !contact_handlers.empty() || !break_handlers.empty(); }
+  bool has_callbacks() const {
+    return !timers.empty() || !contact_handlers.empty() || !break_handlers.empty() || !sleep_handlers.empty();
+  }
 
   std::int64_t tick() const { return simulation != nullptr ? simulation->tick() : 0; }
   double time() const { return static_cast<double>(tick()) / scenario.scene.rate; }

@@ -28,12 +28,12 @@ constexpr Name integrator_names[] = {{"symplectic_euler"},  {"verlet"},         
 constexpr Name contact_solver_names[] = {{"soft_step"}, {"sequential_impulses"}, {"ngs"}, {"exact"}, {"event"}};
 constexpr Name joint_solver_names[] = {{"direct"}, {"iterative"}};
 constexpr Name precision_names[] = {{"single"}, {"double"}};
-constexpr Name effect_names[] = {{"gravity"},        {"springs"}, {"contacts"},  {"friction"},
-                                 {"restitution"},    {"ccd"},     {"joints"},    {"sensors"},
-                                 {"drag"},           {"wind"},    {"attractor"}, {"nbody"},
-                                 {"buoyancy"},       {"field"},   {"rocket"},    {"rolling_resistance"},
-                                 {"surface_speed"},  {"limits"},  {"motors"},    {"breakage"},
-                                 {"sleeping", false}};
+constexpr Name effect_names[] = {{"gravity"},       {"springs"}, {"contacts"},  {"friction"},
+                                 {"restitution"},   {"ccd"},     {"joints"},    {"sensors"},
+                                 {"drag"},          {"wind"},    {"attractor"}, {"nbody"},
+                                 {"buoyancy"},      {"field"},   {"rocket"},    {"rolling_resistance"},
+                                 {"surface_speed"}, {"limits"},  {"motors"},    {"breakage"},
+                                 {"sleeping"}};
 
 void push_item(lua_State* state, const OverrideItem& item) {
   if (const auto* flag = std::get_if<bool>(&item)) {

@@ -122,6 +122,7 @@ void LuaScript::fire_due(lua_State* state) {
 void LuaScript::after_step() {
   tell_of_contacts();
   tell_of_breaks();
+  tell_of_sleep();
 }
 
 void LuaScript::tell_of_breaks() {
@@ -136,6 +137,26 @@ void LuaScript::tell_of_breaks() {
             if (model_.break_handlers[i].joint != event.joint) continue;
             push_function(state, model_.break_handlers[i].function);
             push_event(state, event);
+            lua_call(state, 1, 0);
+          }
+        }
+      });
+}
+
+void LuaScript::tell_of_sleep() {
+  if (model_.sleep_handlers.empty() || model_.simulation->sleep_events().empty()) return;
+  const std::vector<SleepEvent> events = model_.simulation->sleep_events();  // handlers change the simulation
+  turn(
+      Phase::acting, [] { return "a callback of on_sleep"; },
+      [&](lua_State* state) {
+        for (const SleepEvent& event : events) {
+          const std::size_t count = model_.sleep_handlers.size();
+          for (std::size_t i = 0; event.asleep && i < count; ++i) {
+            if (model_.sleep_handlers[i].body != event.body || !model_.exists(event.body)) continue;
+            push_function(state, model_.sleep_handlers[i].function);
+            lua_createtable(state, 0, 1);
+            push_body(state, event.body);
+            lua_setfield(state, -2, "body");
             lua_call(state, 1, 0);
           }
         }

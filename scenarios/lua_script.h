@@ -54,6 +54,7 @@ class LuaScript : public Script {
   void tell_of_breaks();
   std::vector<int> functions_behind(ScriptFunction what, int index) const;
   std::optional<SeenVariables> variables_of(int function);
+  void tell_of_sleep();
   void tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event);
 
   Model model_;

@@ -121,7 +121,7 @@ int contacts(lua_State* state) {
   return 1;
 }
 
-constexpr const char* unbuilt_words[] = {"on_sleep", "ghost", "freeze", "section"};
+constexpr const char* unbuilt_words[] = {"ghost", "freeze", "section"};
 
 int refuse_unbuilt(lua_State* state) { throw Problem(not_built(lua_tostring(state, lua_upvalueindex(1)))); }
 

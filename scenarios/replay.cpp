@@ -28,6 +28,8 @@ class Sense {
     if (!simulation_.exists(c.def.a) || !simulation_.exists(c.def.b)) return false;
     return c.def.kind != JointKind::gear || (has_coordinate(c.def.first) && has_coordinate(c.def.second));
   }
+  bool operator()(const WakeBody& c) const { return is_own(c.body); }
+  bool operator()(const AllowSleep&) const { return true; }
   bool operator()(const RemoveJoint& c) const { return simulation_.exists(c.joint); }
   bool operator()(const ChangeJoint& c) const { return simulation_.exists(c.joint); }
 

@@ -199,6 +199,18 @@ void act_in_busy_scene(Simulation& simulation, std::int64_t tick) {
   if (tick % 7 == 0) simulation.apply(ApplyForce{BodyId{6}, {3, 1}, Vec2d{0, 1}});
 }
 
+/// Small things that soon fall asleep, two of them hinged together, and a disc that wakes some.
+Scene sleepers() {
+  Scene scene;
+  scene.sleeping = true;
+  scene.bodies = {floor_body()};
+  for (int i = 0; i < 3; ++i) scene.bodies.push_back(body_with(box_shape(0.3, 0.3), {0, 0.15 + 0.3 * i}));
+  for (const double x : {2.0, 2.3}) scene.bodies.push_back(body_with(box_shape(0.3, 0.2), {x, 0.1}));
+  scene.joints = {joint_between(JointKind::revolute, BodyId(5), {0.15, 0.1}, BodyId(6), {-0.15, 0.1})};
+  scene.bodies.push_back(body_with(disc_shape(0.15), {0.05, 2.8}));
+  return scene;
+}
+
 Scene solved_by(Scene scene, ContactMethod contacts, JointMethod joints) {
   scene.method.contact_solver = contacts;
   scene.method.joint_solver = joints;
@@ -209,14 +221,17 @@ const std::vector<SavedScene>& saved_scenes() {
   using enum ContactMethod;
   using enum JointMethod;
   const auto nothing = [](Simulation&, std::int64_t) {};
-  static const std::vector<SavedScene> scenes{{"busy", busy_scene(), nothing},
-                                              {"busy, with commands", busy_scene(), act_in_busy_scene},
-                                              {"linkage", linkage(), act_in_linkage},
-                                              {"laid floor", laid_floor(), act_on_laid_floor},
-                                              {"free bodies", free_bodies(), act_on_free_bodies},
-                                              {"exact", solved_by(busy_scene(), exact, direct), nothing},
-                                              {"event", solved_by(laid_floor(), event, direct), act_on_laid_floor},
-                                              {"iterated", solved_by(linkage(), ngs, iterative), act_in_linkage}};
+  static const std::vector<SavedScene> scenes{
+      {"busy", busy_scene(), nothing},
+      {"busy, with commands", busy_scene(), act_in_busy_scene},
+      {"linkage", linkage(), act_in_linkage},
+      {"laid floor", laid_floor(), act_on_laid_floor},
+      {"free bodies", free_bodies(), act_on_free_bodies},
+      {"exact", solved_by(busy_scene(), exact, direct), nothing},
+      {"event", solved_by(laid_floor(), event, direct), act_on_laid_floor},
+      {"sleepers", sleepers(), nothing},
+      {"sleepers, iterated", solved_by(sleepers(), soft_step, iterative), nothing},
+      {"iterated", solved_by(linkage(), ngs, iterative), act_in_linkage}};
   return scenes;
 }
 

@@ -18,19 +18,6 @@ void check_unbuilt(const std::string& line, const std::string& name) {
 }  // namespace
 
 TEST_CASE("Words that are not built are refused by name") {
-  const std::string word = GENERATE("on_sleep", "ghost", "freeze", "section");
+  const std::string word = GENERATE("ghost", "freeze", "section");
   check_unbuilt(word + "{b}", word);
-}
-
-TEST_CASE("Methods of bodies that are not built are refused by name") {
-  check_unbuilt("b:wake()", "wake");
-  check_unbuilt("b:asleep()", "asleep");
-}
-
-TEST_CASE("Effects that are not built are refused by name") {
-  const std::string key = "effects={'sleeping'}";
-  const std::string name = "sleeping";
-  CHECK_THAT(
-      error_of("scenario{" + key + "}"),
-      StartsWith("scene.lua: line 1: ") && Contains("\"" + name + "\" is part of the language but not built yet"));
 }
