@@ -146,6 +146,10 @@ bool steps_everything(Integrator integrator) {
   return integrator == Integrator::symplectic_euler || integrator == Integrator::verlet;
 }
 
+bool steps_everything(const Method& method) {
+  return steps_everything(method.integrator) && method.contact_solver != ContactMethod::event;
+}
+
 namespace {
 
 bool is_pulled(const JointDef& joint) { return joint.kind == JointKind::drag_to; }

@@ -76,6 +76,8 @@ EffectSet effects_of(const Scene& scene);
 
 /// Whether an integrator goes together with whatever a scene may hold.
 bool steps_everything(Integrator integrator);
+/// Whether the method as a whole does.
+bool steps_everything(const Method& method);
 /// Why the scene's method cannot step what the scene holds and what to choose instead, as a sentence; nothing when they
 /// go together.
 std::optional<std::string> problem_with_method(const Scene& scene);

@@ -222,6 +222,7 @@ class World final : public Simulation {
   void reshape(BodyIndex index, Vec2d origin);
   void move_center(BodyIndex index, Vec2 way);
   void make_room_for_shapes(BodyIndex index);
+  ShapeIndex place_for_shape();
   Push& push_on(BodyIndex index);
   void remove_shapes(BodyIndex index);
   void drop_contacts_of(BodyIndex index);
@@ -293,6 +294,7 @@ class World final : public Simulation {
   std::vector<Push> pushed_;         ///< each body once, in order
   std::vector<Vec2> velocities_before_;
   std::vector<Shape> shapes_;
+  std::vector<ShapeIndex> free_shapes_;  ///< places in it whose shapes are gone
   std::vector<Joint> joints_;
   std::vector<Rocket> rockets_;
   BroadPhase broad_phase_;

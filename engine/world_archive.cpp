@@ -194,13 +194,13 @@ void World::exchange(Archive& archive, Self& world) {
   [[maybe_unused]] auto& [scene_hash, method, rate, dt, h, gravity, drag, wind, attractors, gravitational_constant,
                           listed_effects, census, effects, structure_changed, ground_changed, has_broad_phase,
                           bodies_are_free, forces_kept, islands_kept, commanded, bodies, motions, accelerations, drags,
-                          pushed, velocities_before, shapes, joints, rockets, broad_phase, contacts, contacts_made,
-                          contact_solver, exact_contacts, joint_solver, smooth_integrator, pulled, diverged, hinged,
-                          touches, locating, events, break_events, water, wetted, fields, sleep, drifts, booked_work,
-                          tick, failure, times] = world;
+                          pushed, velocities_before, shapes, free_shapes, joints, rockets, broad_phase, contacts,
+                          contacts_made, contact_solver, exact_contacts, joint_solver, smooth_integrator, pulled,
+                          diverged, hinged, touches, locating, events, break_events, water, wetted, fields, sleep,
+                          drifts, booked_work, tick, failure, times] = world;
   archive(census, effects, structure_changed, ground_changed, has_broad_phase, bodies_are_free, commanded, bodies,
-          motions, accelerations, drags, pushed, velocities_before, shapes, joints, rockets, broad_phase, contacts,
-          contacts_made, diverged, events, break_events, sleep, drifts, booked_work, tick, failure);
+          motions, accelerations, drags, pushed, velocities_before, shapes, free_shapes, joints, rockets, broad_phase,
+          contacts, contacts_made, diverged, events, break_events, sleep, drifts, booked_work, tick, failure);
   if (structure_changed) return;  // the next tick groups the joints anew
   if constexpr (Archive::reads) {
     if (archive.spoilt() || !world.joints_are_sound()) return archive.spoil();

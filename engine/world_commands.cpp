@@ -110,9 +110,21 @@ void World::make_room_for_shapes(BodyIndex index) {
   }
   remove_shapes(index);
   for (std::size_t i = 0; i < body.defs.size(); ++i) {
-    body.shapes.push_back(static_cast<ShapeIndex>(shapes_.size()));
-    shapes_.emplace_back().body = index;
+    body.shapes.push_back(place_for_shape());
+    shapes_[body.shapes.back()].body = index;
   }
+}
+
+/// Places of shapes that are gone are used again, so that scenes in which things come and go do not grow.
+ShapeIndex World::place_for_shape() {
+  if (free_shapes_.empty()) {
+    shapes_.emplace_back();
+    return static_cast<ShapeIndex>(shapes_.size() - 1);
+  }
+  const ShapeIndex place = free_shapes_.back();
+  free_shapes_.pop_back();
+  shapes_[place] = {};
+  return place;
 }
 
 void World::remove_shapes(BodyIndex index) {
@@ -120,6 +132,7 @@ void World::remove_shapes(BodyIndex index) {
   for (const ShapeIndex i : bodies_[index].shapes) {
     if (has_broad_phase_) broad_phase_.remove(i, shapes_[i]);
     shapes_[i].alive = false;
+    free_shapes_.push_back(i);
   }
   bodies_[index].shapes.clear();
 }
@@ -195,6 +208,9 @@ void World::execute(const RemoveBody& command) {
     if (joints_[i].body_a == index || joints_[i].body_b == index) remove_joint(i);
   }
   bodies_[index].alive = false;
+  bodies_[index].name = {};
+  bodies_[index].defs = {};
+  bodies_[index].shapes = {};
   bodies_[index].type = bodies_[index].acts_as = BodyType::fixed;
   motions_[index].velocity = {};
   motions_[index].spin = 0;

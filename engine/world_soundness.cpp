@@ -104,7 +104,9 @@ bool World::shapes_are_sound() const {
   const bool alone = std::all_of(shapes_.begin(), shapes_.end(), [this](const Shape& shape) {
     return shape.body < bodies_.size() && can_be(shape.hull) && std::isfinite(shape.reach);
   });
-  return alone && (!has_broad_phase_ || broad_phase_.is_sound(shapes_));
+  const bool free_ones = std::all_of(free_shapes_.begin(), free_shapes_.end(),
+                                     [this](ShapeIndex i) { return i < shapes_.size() && !shapes_[i].alive; });
+  return alone && free_ones && (!has_broad_phase_ || broad_phase_.is_sound(shapes_));
 }
 
 bool World::joints_are_sound() const {

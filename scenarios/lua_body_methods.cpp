@@ -126,6 +126,7 @@ int remove(lua_State* state) {
   Model& model = model_of(state);
   if (model.simulation != nullptr) {
     model.apply(RemoveBody{body});
+    model.record(body).def.shapes = {};  // thousands may come and go
   } else {
     model.record(body).removed = true;
   }

@@ -96,7 +96,7 @@ void Model::warn_of_omissions(EffectSet wanted) {
 }
 
 void Model::check_method() const {
-  if (steps_everything(scenario.scene.method.integrator)) return;
+  if (steps_everything(scenario.scene.method)) return;
   if (const auto problem = problem_with_method(scene_so_far())) throw Problem(*problem);
 }
 
