@@ -147,11 +147,15 @@ void JointGroup::fill(const std::vector<Motion>& motions) {
   }
 }
 
+/// A group that was redundant mostly still is: then the system for that is tried first.
 void JointGroup::assemble(const std::vector<Motion>& motions) {
   stale_ = false;
+  if (redundant_ && !strained_) {
+    fill(motions);
+    if (factor_with(redundant_compliance) <= redundant_compliance + redundant) return;
+  }
   fill(motions);
-  const real independence = factor_with(strained_ ? strained_compliance : compliance);
-  redundant_ = independence <= redundant;
+  redundant_ = factor_with(strained_ ? strained_compliance : compliance) <= redundant;
   if (strained_ || !redundant_) return;
   fill(motions);
   factor_with(redundant_compliance);

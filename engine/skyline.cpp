@@ -6,6 +6,25 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
+namespace {
+
+/// Sums products in eight lanes that are added up in a fixed order: the compiler may use the machine's vectors, whose
+/// width then decides nothing.
+real dot_product(const real* a, const real* b, int count) {
+  constexpr int lanes = 8;
+  real sums[lanes] = {};
+  int k = 0;
+  for (; k + lanes <= count; k += lanes) {
+    for (int lane = 0; lane < lanes; ++lane) sums[lane] += a[k + lane] * b[k + lane];
+  }
+  real rest = 0;
+  for (; k < count; ++k) rest += a[k] * b[k];
+  if (count < lanes) return rest;
+  return (((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]))) + rest;
+}
+
+}  // namespace
+
 void SkylineMatrix::reset(const std::vector<int>& first) {
   first_ = first;
   start_.resize(first.size());
@@ -28,9 +47,8 @@ real SkylineMatrix::factor() {
     const real diagonal = at(r, r);
     for (int c = first_r; c < r; ++c) {
       // Until the pivots are divided out below, row r holds L(r, c) * D(c).
-      real sum = at(r, c);
-      for (int k = std::max(first_r, first_[static_cast<std::size_t>(c)]); k < c; ++k) sum -= at(r, k) * at(c, k);
-      at(r, c) = sum;
+      const int from = std::max(first_r, first_[static_cast<std::size_t>(c)]);
+      if (from < c) at(r, c) -= dot_product(&at(r, from), &at(c, from), c - from);
     }
     real pivot = diagonal;
     for (int c = first_r; c < r; ++c) {

@@ -87,7 +87,7 @@ struct JointView {
   double ratio = 1;   ///< gear, pulley
   double gap = 0;     ///< m by which the joint is violated; 0 for what is soft
   Vec2d axis;         ///< prismatic, wheel: unit, world
-  double length = 0;  ///< rope: m
+  double length = 0;  ///< distance, spring, rope: m
   Vec2d pin_a;        ///< pulley: world
   Vec2d pin_b;
   bool broken = false;  ///< it is gone, because its load was too much

@@ -27,10 +27,10 @@ const std::vector<Bench> benches{{"first", bench_first},
                                  {"clip", bench_clip},
                                  {"collision", bench_collision},
                                  {"effects", bench_effects},
-                                 {"pyramid", bench_pyramid}};
+                                 {"engine", bench_engine}};
 
 int usage() {
-  std::fputs("usage: bench [first|clip|collision|effects|pyramid]\n", stderr);
+  std::fputs("usage: bench [first|clip|collision|effects|engine]\n", stderr);
   return 2;
 }
 

@@ -11,12 +11,12 @@ void bench_clip();
 void bench_manifolds();
 /// What each effect costs in instructions, beside the committed figures.
 void bench_effects();
+/// Stepping heavy scenes, beside Box2D and Chipmunk: what it costs and how well it holds together.
+void bench_engine();
 /// From the command to the first picture.
 void bench_first();
 /// Distances and times of impact of two polygons, beside Box2D.
 void bench_gjk();
-/// Stepping a hundred rows of boxes, beside Box2D.
-void bench_pyramid();
 /// Finding the pairs of overlapping boxes and querying them, beside Box2D and Chipmunk; and how that grows.
 void bench_tree();
 

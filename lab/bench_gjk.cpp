@@ -12,7 +12,7 @@
 #include "engine/time_of_impact.h"
 #include "lab/bench.h"
 #include "lab/bench_process.h"
-#include "lab/peer_box2d_distance.h"
+#include "lab/peers/box2d_distance.h"
 
 namespace proofreel {
 namespace {

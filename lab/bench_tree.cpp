@@ -8,8 +8,8 @@
 #include "engine/broad_phase.h"
 #include "lab/bench.h"
 #include "lab/bench_process.h"
-#include "lab/peer_box2d_tree.h"
-#include "lab/peer_chipmunk_tree.h"
+#include "lab/peers/box2d_tree.h"
+#include "lab/peers/chipmunk_tree.h"
 
 // Compiled in single precision, as Box2D is.
 namespace proofreel {

@@ -76,10 +76,24 @@ Scene linkage(int) {
   return scene;
 }
 
+Scene solved_by(Scene scene, ContactMethod contacts, JointMethod joints) {
+  scene.method.contact_solver = contacts;
+  scene.method.joint_solver = joints;
+  return scene;
+}
+
+Scene taught(int count) { return solved_by(heap(count), ContactMethod::sequential_impulses, JointMethod::direct); }
+Scene moved(int count) { return solved_by(heap(count), ContactMethod::ngs, JointMethod::direct); }
+Scene exact(int) { return solved_by(heap(6), ContactMethod::exact, JointMethod::direct); }
+Scene event(int) { return solved_by(heap(6), ContactMethod::event, JointMethod::direct); }
+Scene iterated(int count) { return solved_by(linkage(count), ContactMethod::soft_step, JointMethod::iterative); }
+
 }  // namespace
 
 const std::vector<EffectScene>& mixed_scenes() {
-  static const std::vector<EffectScene> scenes{{"heap", heap}, {"linkage", linkage}};
+  static const std::vector<EffectScene> scenes{
+      {"heap", heap},       {"sequential_impulses", taught}, {"ngs", moved}, {"exact", exact}, {"event", event},
+      {"linkage", linkage}, {"iterative", iterated}};
   return scenes;
 }
 

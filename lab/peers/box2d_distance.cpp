@@ -1,4 +1,4 @@
-#include "lab/peer_box2d_distance.h"
+#include "lab/peers/box2d_distance.h"
 
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>

@@ -1,4 +1,4 @@
-#include "lab/peer_chipmunk_tree.h"
+#include "lab/peers/chipmunk_tree.h"
 
 #include <chipmunk/chipmunk.h>
 

@@ -1,4 +1,4 @@
-#include "lab/peer_box2d_tree.h"
+#include "lab/peers/box2d_tree.h"
 
 #include <box2d/box2d.h>
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "lab/peers/peer_world.h"
+
+namespace proofreel {
+
+/// Box2D 2.4. `gravity` in m/s^2.
+std::unique_ptr<PeerWorld> make_box2d_world(Vec2d gravity);
+
+}  // namespace proofreel

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "lab/peers/peer_world.h"
+
+namespace proofreel {
+
+/// Chipmunk 7. `gravity` in m/s^2.
+std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity);
+
+}  // namespace proofreel
