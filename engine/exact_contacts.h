@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/contact_problem.h"
 #include "engine/contact_solver.h"
 #include "engine/joint_solver.h"
 
@@ -42,28 +43,11 @@ class ExactContacts {
   bool moves_joints() const { return moves_joints_; }
 
  private:
-  enum class Kind : std::uint8_t { gap, slip, roll };
-  /// One number that is kept: the gap of a point, a slip that friction holds, a roll that rolling resistance holds.
-  struct Row {
-    Kind kind = Kind::gap;
-    std::size_t constraint = 0;
-    std::size_t place = 0;  ///< of the point in the constraint, or of the rolling row
-    Term term;
-    std::size_t first_gap = 0;  ///< slip, roll: the rows whose impulses bound this one
-    std::size_t gap_count = 0;
-    real coefficient = 0;  ///< of that bound: of friction, or the lever in m
-    real bias = 0;         ///< added to the speed
-    real given = 0;        ///< impulse of this substep so far
-    bool off = false;      ///< a gap that is open: takes no impulse
-  };
   struct Group {
-    std::vector<Row> rows;
+    std::vector<ContactRow> rows;
     std::vector<std::size_t> joint_groups;
-    std::vector<double>
-        response;  ///< speed along row i per impulse along row j, at i * rows + j; empty where not needed
+    std::vector<double> response;  ///< of every row to every other one; empty where not needed
   };
-
-  class Problem;
 
   void group_by_bodies(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
   void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
@@ -72,8 +56,6 @@ class ExactContacts {
   void solve_all(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions);
   void find_responses(Group& group, const JointSolver* joints, const std::vector<Motion>& motions);
   void try_responses(Group& group, const JointSolver& joints, const std::vector<Motion>& motions);
-  bool solve_by_pivots(Group& group, std::vector<Motion>& motions) const;
-  void solve_by_sweeps(Group& group, std::vector<Motion>& motions) const;
 
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;  ///< of every constraint

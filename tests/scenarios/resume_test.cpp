@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
 
 #include "engine/archive.h"
 #include "engine/state_hash.h"
@@ -47,15 +46,6 @@ std::string refusal(const std::string& text, const SavedRun& run, const std::vec
     return error.what();
   }
   return {};
-}
-
-std::vector<std::string> all_scenarios() {
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator("scenarios")) {
-    if (entry.path().extension() == ".lua") paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
 }
 
 /// Ticks of a run that look arbitrary and are always the same.

@@ -27,6 +27,9 @@ class ScratchFolder {
   std::string path_;
 };
 
+/// The paths of all scenarios there are, in order.
+std::vector<std::string> all_scenarios();
+
 /// Loads the text as the file scene.lua.
 std::unique_ptr<Scenario> load_text(const std::string& text, const std::vector<Override>& overrides = {});
 

@@ -1,0 +1,49 @@
+#pragma once
+
+/// A group of contacts as one problem: rows, each a number that is kept and an impulse that keeps it, and how to find
+/// the impulses of all of them (exact_contacts.h tells what for).
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/joint_rows.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+enum class RowKind : std::uint8_t {
+  gap,   ///< the gap of a point: its impulse is not negative
+  slip,  ///< a slip that friction holds, with no more than the coefficient times the impulse of its gap
+  roll   ///< a roll that rolling resistance holds, with no more than the lever times the impulses of its gaps
+};
+
+struct ContactRow {
+  RowKind kind = RowKind::gap;
+  std::size_t constraint = 0;
+  std::size_t place = 0;  ///< of the point in the constraint, or of the rolling row
+  Term term;
+  std::size_t first_gap = 0;  ///< slip, roll: the rows whose impulses bound this one
+  std::size_t gap_count = 0;
+  real coefficient = 0;  ///< of that bound: of friction, or the lever in m
+  real bias = 0;         ///< added to the speed
+  real given = 0;        ///< impulse of this substep so far
+  bool off = false;      ///< a gap that is open: takes no impulse
+};
+
+/// Pivoting takes time in proportion to the cube of the rows; more than these are swept.
+inline constexpr std::size_t most_rows_to_pivot = 64;
+
+/// Whether impulses move it.
+inline bool is_moved(const Motion& m) { return m.inv_mass > 0 || m.inv_inertia > 0; }
+
+/// Gives all rows their impulses at once, by complementary pivoting (lcp.h). `response` is the speed along row i per
+/// impulse along row j, at i * rows + j, known to `noise` where a row's own is 1. False, and nothing has changed, where
+/// there is no solution.
+bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& response, double noise,
+                     std::vector<Motion>& motions);
+
+/// Row after row takes the impulse it needs at the moment, until nothing changes any more, or a thousand times.
+void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions);
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
