@@ -36,7 +36,7 @@ ConstraintPoint make_point(const ContactConstraint& c, const ManifoldPoint& p, c
   out.normal_mass = effective_mass(a, b, out, c.normal);
   out.tangent_mass = effective_mass(a, b, out, perp(c.normal));
   out.normal_impulse = impulse.normal;
-  out.tangent_impulse = impulse.tangent;
+  out.tangent_impulse = friction_of(c) > 0 ? impulse.tangent : 0;
   return out;
 }
 
@@ -78,6 +78,8 @@ template <bool moving>
 /// Coulomb's law with two coefficients: a contact sticks until it needs all that static friction can give at every
 /// point, then slides against kinetic friction until that would be more than enough.
 bool slides(const ContactConstraint& c) {
+  const bool pressed = c.points[0].normal_impulse > 0 || (c.count > 1 && c.points[1].normal_impulse > 0);
+  if (c.sliding && c.friction_sliding <= 0) return pressed;  // nothing brakes it
   real used = 0;
   real available = 0;
   for (int k = 0; k < c.count; ++k) {

@@ -55,6 +55,7 @@ struct ContactConstraint {
   real friction_sliding = 0;
   real restitution = 0;
   real length = 0;    ///< pair_length of its shapes
+  real closed = 0;    ///< gaps below this are closed for those who want to know exactly (ExactContacts), m
   real radius_a = 0;  ///< of the shapes' roundings, m
   real radius_b = 0;
   ConstraintPoint points[2];
@@ -69,9 +70,6 @@ inline real friction_of(const ContactConstraint& c) { return c.sliding ? c.frict
 /// Overlap is driven out at no more than this many times the pair's thickness per second, so that bodies that start
 /// inside each other part gently whatever their size.
 inline constexpr real push_rate = 3;
-
-/// Gaps below this part of the pair's thickness are closed for those who want to know exactly.
-inline constexpr real closed_gap = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-6);
 
 /// What of a contact's behaviour is solved; what is off is left out altogether.
 struct ContactParts {

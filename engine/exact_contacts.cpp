@@ -112,13 +112,12 @@ void ExactContacts::add_contact(Group& group, std::size_t constraint, const Cont
   const auto count = static_cast<std::size_t>(c.count);
   for (std::size_t k = 0; k < count; ++k)
     group.rows.push_back({RowKind::gap, constraint, k, term_along(c, c.points[k], c.normal)});
-  if (!contacts.parts().friction || friction_of(c) <= 0) return;
+  if (!contacts.parts().friction || std::max(c.friction_at_rest, c.friction_sliding) <= 0) return;
   for (std::size_t k = 0; k < count; ++k) {
     ContactRow& row =
         group.rows.emplace_back(ContactRow{RowKind::slip, constraint, k, term_along(c, c.points[k], perp(c.normal))});
     row.first_gap = first + k;
     row.gap_count = 1;
-    row.coefficient = friction_of(c);
   }
 }
 
@@ -139,14 +138,14 @@ void ExactContacts::add_rolling(const ContactSolver& contacts) {
 void ExactContacts::solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
                                     real h, Reach reach) {
   for (int round = 0; round < most_rounds_of_turning; ++round) {
-    if (set_goals(contacts, motions, h, reach) <= closed_gap && round > 0) return;
+    if (set_goals(contacts, motions, h, reach) <= 1 && round > 0) return;
     solve_all(contacts, joints, motions);
   }
 }
 
 /// The speed that would lead on to the contact is not the speed towards it: bodies turn on the way. What the way at
 /// present speeds and a straight one differ by goes into the bias. Returns by how much that has changed the ways of
-/// closed points since the last call, relative to the thickness of their pairs.
+/// closed points since the last call, relative to what counts as closed.
 real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach) {
   real largest = 0;
   for (Group& group : groups_) {
@@ -157,20 +156,20 @@ real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<M
       const real straight = speed_of(row.term, motions);
       const real before = row.bias;
       if (row.kind == RowKind::gap) {
-        row.off = reach == Reach::closed && way.gap > closed_gap * c.length;
+        row.off = reach == Reach::closed && way.gap > c.closed;
         row.bias = std::max(way.gap_after / h - straight, -push_rate * c.length);
       } else {
         const std::vector<real>& belts = contacts.surface_speeds();
         row.bias = way.slide / h - straight - (belts.empty() ? real(0) : belts[row.constraint]);
       }
-      if (!row.off && way.gap <= closed_gap * c.length)
-        largest = std::max(largest, h * std::abs(row.bias - before) / c.length);
+      if (!row.off && way.gap <= c.closed) largest = std::max(largest, h * std::abs(row.bias - before) / c.closed);
     }
   }
   return largest;
 }
 
-/// What pressed before the drift touches after it, whatever rounding and turning have left open.
+/// What pressed before the drift touches after it, whatever rounding and turning have left open. What has not arrived
+/// yet, be it by a hair, must not be braked: it may be about to bounce.
 void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
                                      Reach reach) {
   const std::vector<real>& belts = contacts.surface_speeds();
@@ -185,8 +184,7 @@ void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver*
       }
       row.bias = 0;
       if (reach == Reach::closed) continue;
-      row.off =
-          p.normal_impulse <= 0 && separation_of(c, p, motions[c.body_a], motions[c.body_b]) > closed_gap * c.length;
+      row.off = p.normal_impulse <= 0 && separation_of(c, p, motions[c.body_a], motions[c.body_b]) > 0;
     }
   }
   solve_all(contacts, joints, motions);
@@ -199,7 +197,10 @@ void ExactContacts::solve_all(ContactSolver& contacts, const JointSolver* joints
     return row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
   };
   for (Group& group : groups_) {
-    for (ContactRow& row : group.rows) row.given = impulse_of(row);
+    for (ContactRow& row : group.rows) {
+      row.given = impulse_of(row);
+      if (row.kind == RowKind::slip) row.coefficient = friction_of(contacts.constraints()[row.constraint]);
+    }
     const bool few = group.rows.size() <= most_rows_to_pivot;
     if (few) find_responses(group, joints, motions);
     const double noise = group.joint_groups.empty() ? noise_of_contacts : noise_of_joints;

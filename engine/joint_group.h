@@ -23,6 +23,8 @@ class JointGroup {
   JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<Joint>& joints,
              const std::vector<Motion>& motions, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
+  /// Multiplications that solving it takes, about.
+  double work() const { return matrix_.work(); }
   std::uint32_t first_joint() const { return rows_.front().joint; }
   /// Joints of one group sleep together.
   bool acts(const std::vector<Joint>& joints) const { return joints[rows_.front().joint].acts; }

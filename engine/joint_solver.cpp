@@ -9,6 +9,10 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
+/// Multiplications for one factorisation that a group may take: a net of 25 by 25 pins is about there, a chain of ten
+/// thousand links far below.
+constexpr double most_work = 2e7;
+
 /// Which joints hold which moving bodies, both ways.
 class JointGraph {
  public:
@@ -83,18 +87,24 @@ void put_in_order(std::vector<JointGroup>& groups) {
 
 void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted) {
   wanted_ = wanted;
-  if (method_ == JointMethod::iterative) return sweeps_.rebuild(joints, wanted);
+  swept_.clear();
   groups_.clear();
   asleep_.clear();
   for (const Ids& ids : JointGraph(joints, motions).groups()) {
     JointGroup group(ids, joints, motions, wanted);
-    if (!group.empty()) groups_.push_back(std::move(group));
+    if (method_ == JointMethod::iterative || group.work() > most_work) {
+      swept_.insert(swept_.end(), ids.begin(), ids.end());
+    } else if (!group.empty()) {
+      groups_.push_back(std::move(group));
+    }
   }
+  std::sort(swept_.begin(), swept_.end());
+  sweeps_.rebuild(joints, swept_, wanted);
   put_in_order(groups_);
 }
 
 void JointSolver::lay_aside_sleepers(const std::vector<Joint>& joints) {
-  if (method_ == JointMethod::iterative) return sweeps_.rebuild(joints, wanted_);
+  sweeps_.rebuild(joints, swept_, wanted_);
   const auto move_if = [&](std::vector<JointGroup>& from, std::vector<JointGroup>& to, bool acts) {
     const auto moved = std::stable_partition(from.begin(), from.end(),
                                              [&](const JointGroup& group) { return group.acts(joints) != acts; });

@@ -15,7 +15,8 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
-/// Or, as the method wants it, row by row (joint_sweeps.h).
+/// Or row by row (joint_sweeps.h): where the method wants it, and of large nets, which are meshes of joints and no
+/// chains: their factors fill up, and the time they take grows with the fourth power of a net's side.
 class JointSolver {
  public:
   explicit JointSolver(JointMethod method) : method_(method) {}
@@ -24,6 +25,9 @@ class JointSolver {
   /// Lays the groups of sleepers aside and takes up those that have woken.
   void lay_aside_sleepers(const std::vector<Joint>& joints);
   bool empty() const { return groups_.empty() && sweeps_.empty(); }
+
+  /// How many rows are solved one by one although the method is direct.
+  std::size_t rows_of_nets() const { return method_ == JointMethod::direct ? sweeps_.row_count() : 0; }
 
   // One group of the direct solver: who is in it, and how it answers (joint_group.h).
   std::size_t group_count() const { return groups_.size(); }
@@ -44,9 +48,10 @@ class JointSolver {
  private:
   JointMethod method_;
   RowsWanted wanted_;
-  std::vector<JointGroup> groups_;  ///< direct
-  std::vector<JointGroup> asleep_;  ///< the groups of sleepers
-  JointSweeps sweeps_;              ///< iterative
+  std::vector<JointGroup> groups_;    ///< direct
+  std::vector<JointGroup> asleep_;    ///< the groups of sleepers
+  std::vector<std::uint32_t> swept_;  ///< the joints that are solved row by row
+  JointSweeps sweeps_;
 };
 
 }  // namespace PROOFREEL_PRECISION

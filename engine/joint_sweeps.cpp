@@ -8,8 +8,9 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
-/// The part of a gap that is closed in one substep.
-constexpr real baumgarte = real(0.2);
+/// Gaps are closed by damped springs as stiff as a substep can carry, in oscillations per substep.
+constexpr real stiffness = real(0.125);
+constexpr real damping_ratio = 2;
 
 /// What a row's speed changes by for a unit impulse along it. A gear may move one body by both of its terms.
 real response_of(const Terms& terms, const std::vector<Motion>& motions) {
@@ -31,12 +32,14 @@ real response_of(const Terms& terms, const std::vector<Motion>& motions) {
   return sum;
 }
 
+constexpr Softness rigid{};
+
 }  // namespace
 
-void JointSweeps::rebuild(const std::vector<Joint>& joints, RowsWanted wanted) {
+void JointSweeps::rebuild(const std::vector<Joint>& joints, const std::vector<std::uint32_t>& ids, RowsWanted wanted) {
   rows_.clear();
-  for (std::uint32_t i = 0; i < joints.size(); ++i) {
-    if (!joints[i].acts || is_soft(joints[i].kind)) continue;
+  for (const std::uint32_t i : ids) {
+    if (!joints[i].acts) continue;
     const std::vector<RowPlan> plans = plan_rows(joints[i], wanted);
     for (std::size_t slot = 0; slot < plans.size(); ++slot) {
       Row& row = rows_.emplace_back();
@@ -48,9 +51,12 @@ void JointSweeps::rebuild(const std::vector<Joint>& joints, RowsWanted wanted) {
 }
 
 void JointSweeps::linearize(const JointedBodies& scene) {
+  JointPlace place;
+  const Joint* placed = nullptr;
   for (Row& row : rows_) {
     const Joint& joint = scene.joints[row.joint];
-    const JointPlace place = place_of(joint, scene.bodies, scene.motions);
+    if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
+    placed = &joint;
     row.terms = terms_of(row.plan, joint, place, scene);
     row.value = row.plan.bound == Bound::driven ? 0 : value_of(row.plan, joint, place, scene, 0);
     const real response = response_of(row.terms, scene.motions);
@@ -79,30 +85,34 @@ void JointSweeps::add_share(const JointedBodies& scene, real share) {
   for (Row& row : rows_) apply(row, share * row.warm, scene);
 }
 
-/// `bias` is the speed that is wanted beyond standing still.
-void JointSweeps::solve(Row& row, real bias, const JointedBodies& scene, real h) {
+/// Rigid, or with the give of a spring that pulls the row's number to 0. A stop that is not reached yet may come as
+/// close as touching.
+void JointSweeps::solve(Row& row, const Softness& soft, const JointedBodies& scene, real h) {
   const Joint& joint = scene.joints[row.joint];
   constexpr real unbound = std::numeric_limits<real>::max();
   const bool driven = row.plan.bound == Bound::driven;
+  const bool open_stop = row.plan.bound == Bound::at_least && row.value > 0;
   const real most = driven ? h * strongest(row.plan, joint) : unbound;
   const real least = driven ? -most : row.plan.bound == Bound::at_least ? real(0) : -unbound;
-  const real lacking = wanted_speed(row.plan, joint) + bias - speed_of(row.terms, scene.motions);
-  apply(row, std::clamp(row.given + row.mass * lacking, least, most) - row.given, scene);
+  const Softness& give = driven || open_stop ? rigid : soft;
+  const real closing = open_stop ? row.value / h : give.bias_rate * row.value;
+  const real lacking = wanted_speed(row.plan, joint) - closing - speed_of(row.terms, scene.motions);
+  const real change = give.mass_scale * row.mass * lacking - give.impulse_scale * row.given;
+  apply(row, std::clamp(row.given + change, least, most) - row.given, scene);
 }
 
 void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
-  for (Row& row : rows_) {
-    const bool open_stop = row.plan.bound == Bound::at_least && row.value > 0;
-    solve(row, -(open_stop ? row.value / h : baumgarte / h * row.value), scene, h);
-  }
+  const Softness soft = make_softness(stiffness / h, damping_ratio, h);
+  for (Row& row : rows_) solve(row, soft, scene, h);
 }
 
-/// A stop that has not been reached yet must not be braked for: it may only take back.
+/// Backwards along the chains, so that neither end is favoured. A stop that has not been reached yet must not be braked
+/// for: it may only take back.
 void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
-  for (Row& row : rows_) {
-    const bool open_stop = row.plan.bound == Bound::at_least && row.value > 0;
-    if (!open_stop || row.given > 0) solve(row, 0, scene, h);
-    scene.joints[row.joint].memory[row.slot].impulse = row.given;
+  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+    const bool open_stop = row->plan.bound == Bound::at_least && row->value > 0;
+    if (!open_stop || row->given > 0) solve(*row, rigid, scene, h);
+    scene.joints[row->joint].memory[row->slot].impulse = row->given;
   }
 }
 

@@ -5,6 +5,7 @@
 /// Where a joint is open already, a part of the gap is closed by velocity (Baumgarte 1972). Cheap, simple, and slow to
 /// converge along chains and between unequal masses: compare with joint_group.h.
 
+#include "engine/contact_solver.h"
 #include "engine/joint_rows.h"
 
 namespace proofreel {
@@ -12,9 +13,10 @@ inline namespace PROOFREEL_PRECISION {
 
 class JointSweeps {
  public:
-  /// Makes the rows of all joints that act. Call also when some fall asleep or wake.
-  void rebuild(const std::vector<Joint>& joints, RowsWanted wanted);
+  /// Makes the rows of those of these joints that act. Call also when some fall asleep or wake.
+  void rebuild(const std::vector<Joint>& joints, const std::vector<std::uint32_t>& ids, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
+  std::size_t row_count() const { return rows_.size(); }
   /// Takes directions from the present positions. Call after every drift.
   void linearize(const JointedBodies& scene);
   /// Starts a substep: applies `share` of the impulses of the one before.
@@ -41,7 +43,7 @@ class JointSweeps {
     real total = 0;  ///< impulse since work was last taken
   };
 
-  void solve(Row& row, real bias, const JointedBodies& scene, real h);
+  void solve(Row& row, const Softness& soft, const JointedBodies& scene, real h);
   void apply(Row& row, real impulse, const JointedBodies& scene);
 
   std::vector<Row> rows_;

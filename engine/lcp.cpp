@@ -15,7 +15,7 @@ constexpr double rounding = 1e-13;
 constexpr double accepted = 1e-7;
 
 /// Unknowns beyond this mean that the problem has hardly a solution.
-constexpr double largest = 1e5;
+constexpr double largest = 1e7;
 
 /// The tableau w - M z - d z0 = q, solved for the variables in the basis. Columns: w, then z, then z0, then the right
 /// side.

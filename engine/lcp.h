@@ -31,7 +31,7 @@ struct Lcp {
 /// by exchanging one z for its w at a time, the next always being the partner of the last. For positive semidefinite M,
 /// and for contacts with Coulomb's friction as set up by Anitescu and Potra (1997), it ends with a solution if there is
 /// one. Nothing comes back when there is none (something is squeezed by what does not give way), or hardly one (an
-/// unknown above 1e5), or none that rounding has left exact to 1e-7 of the entries.
+/// unknown above 1e7), or none that rounding has left exact to 1e-7 of the entries.
 std::optional<std::vector<double>> solve(const Lcp& problem);
 
 }  // namespace proofreel

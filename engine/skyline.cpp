@@ -37,6 +37,15 @@ void SkylineMatrix::reset(const std::vector<int>& first) {
   inverse_pivot_.assign(first.size(), 0);
 }
 
+double SkylineMatrix::work() const {
+  double sum = 0;
+  for (std::size_t r = 0; r < first_.size(); ++r) {
+    const double width = static_cast<double>(r) - first_[r];
+    sum += 0.5 * width * width;
+  }
+  return sum;
+}
+
 void SkylineMatrix::clear() { std::fill(values_.begin(), values_.end(), real(0)); }
 
 real SkylineMatrix::factor() {

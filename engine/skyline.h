@@ -17,6 +17,8 @@ class SkylineMatrix {
   /// `first[r]` is the column of row r's first entry, at most r. All entries become 0.
   void reset(const std::vector<int>& first);
   int size() const { return static_cast<int>(first_.size()); }
+  /// Multiplications that `factor` takes, about.
+  double work() const;
   void clear();
   /// The entry (row, column) with first[row] <= column <= row.
   real& at(int row, int column) {

@@ -150,6 +150,7 @@ void World::prepare_solvers() {
       contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
                               {on(Effect::friction), on(Effect::rolling_resistance), on(Effect::surface_speed)});
       if (is_exact()) {
+        for (ContactConstraint& c : contact_solver_.constraints()) c.closed = closed_gap(contacts_[c.contact]);
         exact_contacts_.prepare(contact_solver_, has_rigid_joints() ? &joint_solver_ : nullptr, motions_);
       }
     });

@@ -47,9 +47,7 @@ class World final : public Simulation {
   Energy energy() const override;
   std::uint64_t state_hash() const override;
   const std::optional<Failure>& failure() const override { return failure_; }
-  std::vector<EffectDecision> effects() const override {
-    return listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
-  }
+  std::vector<EffectDecision> effects() const override;
   void time_stages(StageTimes* times) override { times_ = times; }
   void keep_forces() override { forces_kept_ = true; }
   std::vector<std::byte> save() const override;
@@ -153,6 +151,8 @@ class World final : public Simulation {
   };
   void pass_impacts(real h);
   void begin_portion();
+  void look_ahead();
+  real closed_gap(const Contact& contact) const;
   void end_portion();
   Trial keep_state() const;
   void go_back_to(const Trial& trial);

@@ -3,6 +3,7 @@
 // follows. What touches already rests and slides as the exact solver says.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/closing.h"
@@ -27,6 +28,7 @@ void World::pass_impacts(real h) {
     begin_portion();
     locating_ = impacts < most_impacts;
     if (locating_ && on(Effect::restitution)) bounce_what_touches(h);
+    look_ahead();  // what was struck may fly elsewhere now
     const Trial before = keep_state();
     substep(left);
     const real impact = locating_ ? first_impact(before.motions, left) : left;
@@ -41,12 +43,28 @@ void World::pass_impacts(real h) {
 
 /// Contacts as they are at this moment. No pair is dropped before the tick is over: those that have met are told then.
 void World::begin_portion() {
+  look_ahead();
+  timed(StepStage::narrow_phase, [this] { update_manifolds(contacts_); });
+  prepare_solvers();
+}
+
+/// A gap that is closed: next to nothing beside the shapes, and no less than coordinates can tell.
+real World::closed_gap(const Contact& contact) const {
+  constexpr real epsilon = std::numeric_limits<real>::epsilon();
+  constexpr real part = sizeof(real) == sizeof(double) ? real(1e-9) : real(1e-6);
+  const auto size = [this](BodyIndex body, ShapeIndex shape) {
+    const Vec2 center = bodies_[body].center;
+    return std::abs(center.x) + std::abs(center.y) + shapes_[shape].reach;
+  };
+  const real sizes = size(contact.body_a, contact.shape_a) + size(contact.body_b, contact.shape_b);
+  return part * pair_length(shapes_[contact.shape_a], shapes_[contact.shape_b]) + 4 * epsilon * sizes;
+}
+
+void World::look_ahead() {
   timed(StepStage::broad_phase, [this] {
     update_boxes();
     add_new_pairs();
   });
-  timed(StepStage::narrow_phase, [this] { update_manifolds(contacts_); });
-  prepare_solvers();
 }
 
 World::Trial World::keep_state() const { return {motions_, joints_, joint_solver_, contact_solver_, booked_work_}; }
@@ -64,7 +82,7 @@ void World::bounce_what_touches(real h) {
   for (ContactConstraint& c : contact_solver_.constraints()) {
     for (int k = 0; k < c.count; ++k) {
       const real gap = separation_of(c, c.points[k], motions_[c.body_a], motions_[c.body_b]);
-      if (gap > 0 && gap <= closed_gap * c.length) c.points[k].base_separation -= 2 * gap;  // closed for certain
+      if (gap > 0 && gap <= c.closed) c.points[k].base_separation -= 2 * gap;  // closed for certain
     }
   }
   const real resting_speed = resting_part * h * length(effective_gravity());
@@ -145,7 +163,7 @@ real World::time_of_contact(const Contact& contact, const ContactConstraint* con
   const Shape& shape_b = shapes_[contact.shape_b];
   const real speed = length(b.velocity() - a.velocity()) + span * length(b.acceleration() - a.acceleration()) +
                      shape_a.reach * a.fastest_turn(span) + shape_b.reach * b.fastest_turn(span);
-  const real closed = closed_gap * pair_length(shape_a, shape_b);
+  const real closed = closed_gap(contact);
   real first = std::numeric_limits<real>::infinity();
   bool touches = false;
   for (int k = 0; constraint != nullptr && k < constraint->count; ++k) {

@@ -15,6 +15,16 @@ bool World::exists(JointId id) const {
   return index < joints_.size() && joints_[index].alive;
 }
 
+/// What the joint solver has found out about nets is a reason, too.
+std::vector<EffectDecision> World::effects() const {
+  std::vector<EffectDecision> decisions = listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
+  for (EffectDecision& decision : decisions) {
+    const std::size_t rows = decision.effect == Effect::joints && decision.on ? joint_solver_.rows_of_nets() : 0;
+    if (rows > 0) decision.why += "; " + std::to_string(rows) + " rows of large nets are solved one by one";
+  }
+  return decisions;
+}
+
 Pose World::center_pose(BodyIndex index) const { return {bodies_[index].center, motions_[index].rotation}; }
 
 Vec2d World::origin_of(BodyIndex index) const {

@@ -234,3 +234,56 @@ TEST_CASE("Rolling resistance and belts act in the exact solver as in the others
   scene.bodies[0].shapes[0].surface_speed = -2;
   CHECK(state_after(scene, 2, BodyId(2)).velocity.x == Approx(2).epsilon(1e-3));
 }
+
+TEST_CASE("Friction that is taken away brakes no more, under any solver", "[contact solver]") {
+  const ContactMethod method = GENERATE(from_range(std::begin(all_methods), std::end(all_methods)));
+  Scene scene = with_floor(body_with(box_shape(1, 1), {0, 0.5}));
+  scene.method.contact_solver = method;
+  scene.bodies[1].velocity = {3, 0};
+  const auto simulation = simulate(scene);
+  run(*simulation, 0.2);
+  const double speed = simulation->body(BodyId(2)).velocity.x;
+  CHECK(speed == Approx(3 - 0.2 * 0.5 * 9.81).epsilon(1e-2));
+  ChangeBody icy;
+  icy.body = BodyId(1);
+  icy.friction = FrictionDef{0, 0};
+  simulation->apply(icy);
+  run(*simulation, 1);
+  INFO("solver " << static_cast<int>(method));
+  CHECK(simulation->body(BodyId(2)).velocity.x == Approx(speed).epsilon(pick(1e-6, 1e-3)));
+}
+
+TEST_CASE("What slides without kinetic friction goes on sliding, whatever static friction there is",
+          "[contact solver]") {
+  const ContactMethod method = GENERATE(from_range(std::begin(all_methods), std::end(all_methods)));
+  Scene scene = with_floor(body_with(box_shape(1, 1), {0, 0.5}));
+  scene.method.contact_solver = method;
+  for (BodyDef& body : scene.bodies) body.shapes[0].friction = {0.5, 0};
+  scene.bodies[1].velocity = {3, 0};
+  INFO("solver " << static_cast<int>(method));
+  CHECK(state_after(scene, 2, BodyId(2)).velocity.x == Approx(3).epsilon(0.01));  // it sticks until it is seen to slide
+}
+
+TEST_CASE("A bounce is not lost by a hair's breadth", "[contact solver]") {
+  const ContactMethod method = GENERATE(from_range(std::begin(all_methods), std::end(all_methods)));
+  const double hair = GENERATE(0.0, 1e-15, 1e-12, 1e-9, 1e-7);
+  Scene scene;
+  scene.method.contact_solver = method;
+  scene.gravity = {0, 0};
+  // After a whole number of substeps the ball is a hair's breadth before the wall.
+  scene.bodies = {body_with(box_shape(1, 10), {0.5, 0}, BodyType::fixed), body_with(disc_shape(0.5), {-1.5 - hair, 0})};
+  scene.bodies[1].velocity = {4.8, 0};
+  scene.bodies[1].shapes[0].restitution = 1;
+  INFO("solver " << static_cast<int>(method) << ", hair " << hair);
+  CHECK(state_after(scene, 1, BodyId(2)).velocity.x == Approx(-4.8));
+}
+
+TEST_CASE("A thousand tons on two kilograms do not sink in when solved exactly", "[contact solver]") {
+  Scene scene;
+  scene.method.contact_solver = ContactMethod::exact;
+  scene.bodies = {floor_body(), body_with(disc_shape(0.05), {0, 0.05}), body_with(disc_shape(0.05), {0.8, 0.05}),
+                  body_with(box_shape(1.5, 0.5), {0.4, 0.35})};
+  scene.bodies[1].mass = scene.bodies[2].mass = 1;
+  scene.bodies[3].mass = 1e6;
+  CHECK(state_after(scene, 2, BodyId(4)).position.y == Approx(0.35).margin(pick(1e-8, 1e-3)));
+}

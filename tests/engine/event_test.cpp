@@ -78,9 +78,10 @@ TEST_CASE("A ball bounces infinitely often in a finite time and then rests", "[e
   const double rest = 3 * fall;  // the sum of the geometric series of all bounces
   run(*simulation, rest - 0.05);
   CHECK(std::abs(simulation->body(BodyId(2)).velocity.y) > 1e-3);
-  run(*simulation, 0.1);
+  run(*simulation,
+      pick(0.1, 0.3));  // in single precision the last bounces are lost among the digits of a floor of 100 m
   CHECK(length(simulation->body(BodyId(2)).velocity) < pick(1e-12, 1e-5));
-  CHECK(simulation->body(BodyId(2)).position.y == Approx(0.5).margin(pick(1e-8, 1e-5)));
+  CHECK(simulation->body(BodyId(2)).position.y == Approx(0.5).margin(pick(1e-8, 5e-5)));
 }
 
 TEST_CASE("An elastic ball keeps its energy and its beat over a thousand bounces", "[event]") {
@@ -164,4 +165,24 @@ TEST_CASE("A gap that is closed within the span is found where it closes", "[eve
   CHECK(at(1, 1000) == Approx(1).margin(1e-5));  // where the bound says little the end tells
   CHECK(std::isinf(at(real(0.4), 1)));
   CHECK(std::isinf(at(real(0.4), 1000)));
+}
+
+TEST_CASE("What is struck within a step does not fly through a wall behind it", "[event]") {
+  Scene scene;
+  scene.rate = 30;
+  scene.method.substeps = 1;
+  scene.gravity = {0, 0};
+  scene.bodies = {body_with(disc_shape(0.1), {0, 0}), body_with(disc_shape(0.1), {1.03, 0}),
+                  body_with(box_shape(0.02, 4), {1.5, 0}, BodyType::fixed)};
+  scene.bodies[0].velocity = {100, 0};
+  for (BodyDef& body : scene.bodies) {
+    body.bullet = true;
+    body.shapes[0].friction = {0, 0};
+    body.shapes[0].restitution = 1;
+  }
+  const auto simulation = simulate(located(scene));
+  run(*simulation, 1, 30);
+  // Equal balls: the struck one comes back from the wall and hands the speed back to the first one.
+  CHECK(simulation->body(BodyId(1)).velocity.x == Approx(-100));
+  CHECK(simulation->body(BodyId(2)).position.x == Approx(1.03).margin(pick(1e-6, 1e-3)));
 }
