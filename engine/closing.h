@@ -3,6 +3,8 @@
 /// When do two bodies meet that do not fly straight? Within a substep of verlet every body moves as under a constant
 /// acceleration, and turns as under a constant angular one.
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/body.h"

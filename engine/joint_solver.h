@@ -26,6 +26,8 @@ class JointSolver {
   void lay_aside_sleepers(const std::vector<Joint>& joints);
   bool empty() const { return groups_.empty() && sweeps_.empty(); }
 
+  /// Whether any row is solved one by one: by choice, or because it belongs to a large net.
+  bool sweeps() const { return !sweeps_.empty(); }
   /// How many rows are solved one by one although the method is direct.
   std::size_t rows_of_nets() const { return method_ == JointMethod::direct ? sweeps_.row_count() : 0; }
 

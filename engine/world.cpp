@@ -200,7 +200,7 @@ void World::pull_and_damp(real h) {
 /// Under verlet loads come in two halves: before they are relaxed contacts and motors get the second half of what held
 /// them in the substep before, all at once, since neither could hold its load while the other has not begun to.
 void World::add_shares(real share) {
-  const bool in_turns = on(Effect::contacts) || method_.joint_solver == JointMethod::iterative;
+  const bool in_turns = on(Effect::contacts) || joint_solver_.sweeps();
   if (on(Effect::contacts)) contact_solver_.add_share(motions_, share);
   if (on(Effect::joints) && in_turns) joint_solver_.add_share(jointed(), share);
 }
