@@ -39,8 +39,10 @@ std::vector<std::string> scenario_files_in(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw UsageError("There is no folder " + folder + ".");
   std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (is_scenario(entry.path())) files.push_back(entry.path().string());
+  for (auto entry = fs::recursive_directory_iterator(folder, error); entry != fs::recursive_directory_iterator();
+       entry.increment(error)) {
+    if (entry->path().filename() == "include") entry.disable_recursion_pending();
+    if (is_scenario(entry->path())) files.push_back(entry->path().string());
   }
   if (files.empty()) throw UsageError("There is no scenario (.lua) in " + folder + ".");
   std::sort(files.begin(), files.end());

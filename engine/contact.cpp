@@ -68,6 +68,13 @@ void mix_materials(Contact& contact, const Shape& a, const Shape& b) {
   contact.surface_speed = a.surface_speed + b.surface_speed;
 }
 
+real approach_speed(const Contact& contact, const Motion& a, const Motion& b) {
+  const Manifold& m = contact.manifold;
+  const bool second = m.count > 1 && m.points[1].separation < m.points[0].separation;
+  const Vec2 arm = m.points[second ? 1 : 0].point;
+  return dot(a.velocity_at(arm) - b.velocity_at(arm - contact.a_to_b), m.normal);
+}
+
 real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin) {
   return deepest(narrow_phase(a, pose_a, b, pose_b, margin));
 }
@@ -96,6 +103,7 @@ void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const s
     contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound, contact.a_to_b);
   }
   carry_over(old, old_impulses, contact);
+  if (!contact.touching && contact.manifold.count > 0) contact.approach = approach_speed(contact, ma, mb);
   if (contact.manifold.count == 0) contact.rolling_impulse = 0;
 }
 

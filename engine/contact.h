@@ -8,6 +8,7 @@
 #include "engine/body.h"
 #include "engine/broad_phase.h"
 #include "engine/collide.h"
+#include "engine/simulation.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -34,6 +35,7 @@ struct Contact {
   real restitution = 0;
   real rolling_resistance = 0;  ///< lever, m
   real surface_speed = 0;       ///< of A's surface and B's together, against each other, m/s
+  real approach = 0;            ///< speed at which they met, m/s along the normal; until they touch, that of now
   Manifold manifold;
   Vec2 a_to_b;  ///< from A's centre to B's when they touch as the manifold says: now, or at the predicted impact
   PointImpulse impulses[2];
@@ -47,9 +49,16 @@ inline bool pushes(const Contact& contact) {
   return any;
 }
 
+inline SeparationEvent separation_of(const Contact& contact) {
+  return {static_cast<BodyId>(contact.body_a), static_cast<BodyId>(contact.body_b)};
+}
+
 /// Coefficients of two shapes together: friction sqrt(a b), static with static and kinetic with kinetic; restitution
 /// and rolling resistance the larger; surface speeds summed.
 void mix_materials(Contact& contact, const Shape& a, const Shape& b);
+
+/// How fast the shapes come together along the normal, m/s, where they will touch or do; there must be a point.
+real approach_speed(const Contact& contact, const Motion& a, const Motion& b);
 
 /// How far two shapes are apart, m; negative on overlap, and without bound from `margin` on.
 real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin);

@@ -195,8 +195,14 @@ void exchange(Archive& archive, T& event) {
 
 template <typename Archive, Exchanged<ContactEvent> T>
 void exchange(Archive& archive, T& event) {
-  auto& [a, b, point, normal, impulse] = event;
-  archive(a, b, point, normal, impulse);
+  auto& [a, b, point, normal, impulse, speed] = event;
+  archive(a, b, point, normal, impulse, speed);
+}
+
+template <typename Archive, Exchanged<SeparationEvent> T>
+void exchange(Archive& archive, T& event) {
+  auto& [a, b] = event;
+  archive(a, b);
 }
 
 template <typename Archive, Exchanged<BreakEvent> T>

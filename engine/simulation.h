@@ -103,6 +103,16 @@ struct ContactEvent {
   Vec2d point;
   Vec2d normal;        ///< unit, from a to b
   double impulse = 0;  ///< N s along the normal during the tick
+  double speed = 0;    ///< m/s at which they met along the normal: at the impact, where that is located, else at the
+                       ///< start of the tick
+};
+
+/// Two shapes that touched after the tick before and do not any more, or one of them is gone (with its body, perhaps).
+/// To every ContactEvent that ends there is one; where impacts are located, one to all the impacts of a tick.
+struct SeparationEvent {
+  BodyId a = BodyId::world;
+  BodyId b = BodyId::world;
+  friend bool operator==(const SeparationEvent&, const SeparationEvent&) = default;
 };
 
 /// A joint that was loaded beyond its break_force during the last tick and is gone.
@@ -138,6 +148,13 @@ class Simulation {
   virtual std::int64_t tick() const = 0;
   /// Of the last tick, in a fixed order.
   virtual const std::vector<ContactEvent>& contact_events() const = 0;
+  /// Of the last tick and the commands before it: first what commands took away, then those that left each other's
+  /// surroundings, then the others, each in order of their first meeting. A
+  /// simulation that does not tell has none.
+  virtual const std::vector<SeparationEvent>& separation_events() const {
+    static const std::vector<SeparationEvent> none;
+    return none;
+  }
   /// Of the last tick, in order of the joints' ids. A simulation whose joints never break has none.
   virtual const std::vector<BreakEvent>& break_events() const {
     static const std::vector<BreakEvent> none;

@@ -124,6 +124,8 @@ DragDef World::drag_of(BodyIndex i) const {
 void World::begin_tick() {
   ++tick_;
   events_.clear();
+  separation_events_ = std::move(separated_by_commands_);
+  separated_by_commands_.clear();
   if (forces_kept_) {
     velocities_before_.clear();
     for (const Motion& motion : motions_) velocities_before_.push_back(motion.velocity);

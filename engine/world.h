@@ -35,6 +35,7 @@ class World final : public Simulation {
   void apply(const Command& command) override;
   std::int64_t tick() const override { return tick_; }
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  const std::vector<SeparationEvent>& separation_events() const override { return separation_events_; }
   const std::vector<BreakEvent>& break_events() const override { return break_events_; }
   const std::vector<SleepEvent>& sleep_events() const override { return sleep_.events; }
   bool exists(BodyId id) const override;
@@ -98,6 +99,7 @@ class World final : public Simulation {
   void book_work();
   void break_joints();
   void collect_events();
+  ContactEvent event_of(const Contact& contact, real impulse) const;
   void detect_failure();
   const char* stage_of_failure(BodyIndex body) const;
 
@@ -310,6 +312,8 @@ class World final : public Simulation {
   std::vector<Touch> touches_;                ///< by contact, during a tick
   bool locating_ = false;                     ///< impacts are located: nothing is held back before it touches
   std::vector<ContactEvent> events_;
+  std::vector<SeparationEvent> separation_events_;
+  std::vector<SeparationEvent> separated_by_commands_;  ///< told after the next tick
   std::vector<BreakEvent> break_events_;
   std::optional<WaterDef> water_;
   std::vector<Wetted> wetted_;  ///< by body, since the bodies were last moved

@@ -1,6 +1,7 @@
 // What is kept of a tick when it is over: the work done from outside, joints that broke, contacts that began, numbers
 // that are none.
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/world.h"
@@ -56,6 +57,16 @@ void World::break_joints() {
   }
 }
 
+ContactEvent World::event_of(const Contact& contact, real impulse) const {
+  const ContactView view = view_of(contact);
+  return {view.a,
+          view.b,
+          view.points[0].point,
+          view.normal,
+          static_cast<double>(impulse),
+          std::max(static_cast<double>(contact.approach), 0.0)};
+}
+
 void World::collect_events() {
   if (!on(Effect::contacts)) return;
   for (Contact& contact : contacts_) {
@@ -66,9 +77,8 @@ void World::collect_events() {
       contact.touching |= contact.manifold.points[k].separation <= 0 || contact.impulses[k].normal_total > 0;
       impulse += contact.impulses[k].normal_total;
     }
-    if (!contact.touching || before) continue;
-    const ContactView view = view_of(contact);
-    events_.push_back({view.a, view.b, view.points[0].point, view.normal, static_cast<double>(impulse)});
+    if (contact.touching && !before) events_.push_back(event_of(contact, impulse));
+    if (before && !contact.touching) separation_events_.push_back(separation_of(contact));
   }
 }
 

@@ -141,6 +141,7 @@ void World::drop_contacts_of(BodyIndex index) {
   std::erase_if(contacts_, [this, index](const Contact& c) {
     if (c.body_a != index && c.body_b != index) return false;
     broad_phase_.forget({c.shape_a, c.shape_b});
+    if (c.touching) separated_by_commands_.push_back(separation_of(c));
     return true;
   });
 }

@@ -85,6 +85,10 @@ void World::bounce_what_touches(real h) {
       if (gap > 0 && gap <= c.closed) c.points[k].base_separation -= 2 * gap;  // closed for certain
     }
   }
+  for (Contact& contact : contacts_) {
+    if (contact.manifold.count == 0) continue;
+    contact.approach = approach_speed(contact, motions_[contact.body_a], motions_[contact.body_b]);
+  }
   const real resting_speed = resting_part * h * length(effective_gravity());
   timed(StepStage::restitution, [&] {
     resolve_impacts(contact_solver_.constraints(), accelerations_, motions_, 0, resting_speed, on(Effect::friction),
@@ -93,8 +97,7 @@ void World::bounce_what_touches(real h) {
   for (const ContactConstraint& c : contact_solver_.constraints()) {
     const real impulse = c.points[0].normal_total + c.points[1].normal_total;
     if (impulse <= 0) continue;
-    const ContactView view = view_of(contacts_[c.contact]);
-    events_.push_back({view.a, view.b, view.points[0].point, view.normal, static_cast<double>(impulse)});
+    events_.push_back(event_of(contacts_[c.contact], impulse));
     contacts_[c.contact].touching = true;
   }
 }

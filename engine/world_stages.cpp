@@ -49,6 +49,7 @@ void World::drop_parted_contacts() {
   std::erase_if(contacts_, [this](const Contact& c) {
     if (broad_phase_.boxes_overlap(shapes_[c.shape_a], shapes_[c.shape_b])) return false;
     broad_phase_.forget({c.shape_a, c.shape_b});
+    if (c.touching) separation_events_.push_back(separation_of(c));
     return true;
   });
 }

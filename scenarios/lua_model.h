@@ -90,6 +90,7 @@ struct Model {
   std::map<std::pair<std::int64_t, std::size_t>, Timer> timers;
   std::size_t timers_made = 0;
   std::vector<ContactHandler> contact_handlers;
+  std::vector<ContactHandler> separation_handlers;
   std::vector<int> fields;  ///< functions of Scene::fields
   std::vector<BreakHandler> break_handlers;
   std::vector<SleepHandler> sleep_handlers;
@@ -104,7 +105,7 @@ struct Model {
   /// Notes what a command has made, which somebody else applied.
   void adopt(const Command& command);
   bool has_callbacks() const {
-    return !timers.empty() || !contact_handlers.empty() || !break_handlers.empty() || !sleep_handlers.empty();
+    return !timers.empty() || !contact_handlers.empty() || !separation_handlers.empty() || !break_handlers.empty() || !sleep_handlers.empty();
   }
 
   std::int64_t tick() const { return simulation != nullptr ? simulation->tick() : 0; }

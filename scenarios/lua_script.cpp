@@ -12,18 +12,25 @@ namespace {
 
 bool matches(const std::optional<BodyId>& wanted, BodyId body) { return !wanted || *wanted == body; }
 
-void push_event(lua_State* state, const ContactEvent& event) {
-  lua_createtable(state, 0, 5);
-  push_body(state, event.a);
+/// Into the table on top.
+void push_bodies(lua_State* state, BodyId a, BodyId b) {
+  push_body(state, a);
   lua_setfield(state, -2, "a");
-  push_body(state, event.b);
+  push_body(state, b);
   lua_setfield(state, -2, "b");
+}
+
+void push_event(lua_State* state, const ContactEvent& event) {
+  lua_createtable(state, 0, 6);
+  push_bodies(state, event.a, event.b);
   push_vector(state, event.point);
   lua_setfield(state, -2, "point");
   push_vector(state, event.normal);
   lua_setfield(state, -2, "normal");
   lua_pushnumber(state, event.impulse);
   lua_setfield(state, -2, "impulse");
+  lua_pushnumber(state, event.speed);
+  lua_setfield(state, -2, "speed");
 }
 
 void push_event(lua_State* state, const BreakEvent& event) {
@@ -121,6 +128,7 @@ void LuaScript::fire_due(lua_State* state) {
 
 void LuaScript::after_step() {
   tell_of_contacts();
+  tell_of_separations();
   tell_of_breaks();
   tell_of_sleep();
 }
@@ -175,6 +183,30 @@ void LuaScript::tell_of_contacts() {
           for (std::size_t i = 0; i < count; ++i) tell(state, model_.contact_handlers[i], event);
         }
       });
+}
+
+void LuaScript::tell_of_separations() {
+  if (model_.separation_handlers.empty() || model_.simulation->separation_events().empty()) return;
+  const std::vector<SeparationEvent> events = model_.simulation->separation_events();  // handlers change the simulation
+  turn(
+      Phase::acting, [] { return "a callback of on_separate"; },
+      [&](lua_State* state) {
+        for (const SeparationEvent& event : events) {
+          const std::size_t count = model_.separation_handlers.size();
+          for (std::size_t i = 0; i < count; ++i) tell(state, model_.separation_handlers[i], event);
+        }
+      });
+}
+
+/// Also of bodies that are gone, for that is one way to part: their handles still compare.
+void LuaScript::tell(lua_State* state, const ContactHandler& handler, const SeparationEvent& event) {
+  const bool straight = matches(handler.a, event.a) && matches(handler.b, event.b);
+  const bool swapped = matches(handler.a, event.b) && matches(handler.b, event.a);
+  if (!straight && !swapped) return;
+  push_function(state, handler.function);
+  lua_createtable(state, 0, 2);
+  push_bodies(state, straight ? event.a : event.b, straight ? event.b : event.a);
+  lua_call(state, 1, 0);
 }
 
 /// Calls the handler if the event is one of its; bodies come in the order the handler names them.

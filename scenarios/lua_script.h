@@ -51,11 +51,13 @@ class LuaScript : public Script {
   void check_expectations();
   void fire_due(lua_State* state);
   void tell_of_contacts();
+  void tell_of_separations();
   void tell_of_breaks();
   std::vector<int> functions_behind(ScriptFunction what, int index) const;
   std::optional<SeenVariables> variables_of(int function);
   void tell_of_sleep();
   void tell(lua_State* state, const ContactHandler& handler, const ContactEvent& event);
+  void tell(lua_State* state, const ContactHandler& handler, const SeparationEvent& event);
 
   Model model_;
   Sandbox sandbox_;

@@ -53,20 +53,28 @@ int every(lua_State* state) {
   return 0;
 }
 
-std::optional<BodyId> body_or_any(lua_State* state, int index) {
+std::optional<BodyId> body_or_any(lua_State* state, int index, const std::string& word) {
   if (lua_isnil(state, index)) return std::nullopt;
-  return existing_body(state, index, "on_contact(a, b, fn): a and b");
+  return existing_body(state, index, word + "(a, b, fn): a and b");
+}
+
+ContactHandler contact_handler(lua_State* state, const std::string& word) {
+  model_of(state).must_act(word);
+  charge_for_making(state);
+  if (lua_gettop(state) != 3) throw Problem(word + " needs two bodies (or nil for any) and a function");
+  ContactHandler handler{body_or_any(state, 1, word), body_or_any(state, 2, word), 0};
+  if (handler.a && handler.a == handler.b) throw Problem(word + ": a body never touches itself");
+  handler.function = keep_function(state, 3, word + "(a, b, fn): fn");
+  return handler;
 }
 
 int on_contact(lua_State* state) {
-  Model& model = model_of(state);
-  model.must_act("on_contact");
-  charge_for_making(state);
-  if (lua_gettop(state) != 3) throw Problem("on_contact needs two bodies (or nil for any) and a function");
-  ContactHandler handler{body_or_any(state, 1), body_or_any(state, 2), 0};
-  if (handler.a && handler.a == handler.b) throw Problem("on_contact: a body never touches itself");
-  handler.function = keep_function(state, 3, "on_contact(a, b, fn): fn");
-  model.contact_handlers.push_back(handler);
+  model_of(state).contact_handlers.push_back(contact_handler(state, "on_contact"));
+  return 0;
+}
+
+int on_separate(lua_State* state) {
+  model_of(state).separation_handlers.push_back(contact_handler(state, "on_separate"));
   return 0;
 }
 
@@ -77,25 +85,22 @@ int time(lua_State* state) {
 
 int energy(lua_State* state) {
   const Energy energy = observed(state).energy();
-  lua_createtable(state, 0, 3);
+  lua_createtable(state, 0, 4);
   lua_pushnumber(state, energy.kinetic);
   lua_setfield(state, -2, "kinetic");
   lua_pushnumber(state, energy.potential);
   lua_setfield(state, -2, "potential");
   lua_pushnumber(state, energy.total());
   lua_setfield(state, -2, "total");
+  lua_pushnumber(state, energy.booked_work);
+  lua_setfield(state, -2, "work");
   return 1;
 }
 
-/// A touching point as seen from `body`: the normal leads away from it.
-void push_contact(lua_State* state, const ContactView& contact, const ContactPoint& point, BodyId body) {
-  const bool is_a = contact.a == body;
-  lua_createtable(state, 0, 5);
-  push_body(state, is_a ? contact.b : contact.a);
-  lua_setfield(state, -2, "other");
+void push_touch(lua_State* state, const ContactPoint& point, const Vec2d& normal) {
   push_vector(state, point.point);
   lua_setfield(state, -2, "point");
-  push_vector(state, is_a ? contact.normal : -contact.normal);
+  push_vector(state, normal);
   lua_setfield(state, -2, "normal");
   lua_pushnumber(state, point.normal_impulse);
   lua_setfield(state, -2, "impulse");
@@ -103,18 +108,42 @@ void push_contact(lua_State* state, const ContactView& contact, const ContactPoi
   lua_setfield(state, -2, "separation");
 }
 
+/// A touching point as seen from `body`: the normal leads away from it.
+void push_contact_of(lua_State* state, const ContactView& contact, const ContactPoint& point, BodyId body) {
+  const bool is_a = contact.a == body;
+  lua_createtable(state, 0, 5);
+  push_body(state, is_a ? contact.b : contact.a);
+  lua_setfield(state, -2, "other");
+  push_touch(state, point, is_a ? contact.normal : -contact.normal);
+}
+
+/// A touching point as seen from nobody: the normal leads from a to b.
+void push_contact(lua_State* state, const ContactView& contact, const ContactPoint& point) {
+  lua_createtable(state, 0, 6);
+  push_body(state, contact.a);
+  lua_setfield(state, -2, "a");
+  push_body(state, contact.b);
+  lua_setfield(state, -2, "b");
+  push_touch(state, point, contact.normal);
+}
+
 int contacts(lua_State* state) {
-  const BodyId body = existing_body(state, 1, "contacts(b): b");
+  const bool all_of_them = lua_gettop(state) == 0;
+  const BodyId body = all_of_them ? BodyId::world : existing_body(state, 1, "contacts(b): b");
   lua_settop(state, 1);
   lua_newtable(state);
   lua_Integer count = 0;
   const std::vector<ContactView> all = observed(state).contacts();
   sandbox_of(state).charge(all.size());
   for (const ContactView& contact : all) {
-    if (contact.a != body && contact.b != body) continue;
+    if (!all_of_them && contact.a != body && contact.b != body) continue;
     for (int i = 0; i < contact.point_count; ++i) {
       if (!contact.points[i].touching()) continue;
-      push_contact(state, contact, contact.points[i], body);
+      if (all_of_them) {
+        push_contact(state, contact, contact.points[i]);
+      } else {
+        push_contact_of(state, contact, contact.points[i], body);
+      }
       lua_rawseti(state, 2, ++count);
     }
   }
@@ -138,6 +167,7 @@ void open_time(lua_State* state) {
   set_word<at>(state, "at");
   set_word<every>(state, "every");
   set_word<on_contact>(state, "on_contact");
+  set_word<on_separate>(state, "on_separate");
   set_word<time>(state, "time");
   set_word<energy>(state, "energy");
   set_word<contacts>(state, "contacts");

@@ -99,8 +99,9 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
     late_impulses_.clear();
     steps_per_second_ = static_cast<float>(1 / dt);
     world_.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
-    for (b2Contact* contact : begun_) events_.push_back(event_of(view_of(*contact)));
+    for (const Begun& begun : begun_) tell(begun);
     begun_.clear();
+    separation_events_ = std::exchange(ended_, {});
   }
 
   std::vector<ContactView> contacts() const override {
@@ -112,12 +113,18 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
   }
 
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  const std::vector<SeparationEvent>& separation_events() const override { return separation_events_; }
 
  private:
   struct KeptBody {
     b2Body* body = nullptr;  // owned by the world
     FilterDef filter;
     std::vector<Box2dFixture> fixtures;
+  };
+
+  struct Begun {
+    b2Contact* contact = nullptr;
+    double speed = 0;  ///< m/s
   };
 
   struct LateImpulse {
@@ -153,10 +160,32 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
     return filters_agree(at(id_of(a)).filter, at(id_of(b)).filter);
   }
 
-  void BeginContact(b2Contact* contact) override { begun_.push_back(contact); }
+  /// Told after the step, when the impulse is known; the speed is that before it.
+  void BeginContact(b2Contact* contact) override { begun_.push_back({contact, approach_speed(*contact)}); }
+
+  double approach_speed(b2Contact& contact) const {
+    const ContactView view = view_of(contact);
+    if (view.point_count == 0) return 0;
+    const b2Vec2 point = to_b2(view.points[0].point);
+    const auto velocity = [&](BodyId id) { return from_b2(at(id).body->GetLinearVelocityFromWorldPoint(point)); };
+    return std::max(dot(velocity(view.a) - velocity(view.b), view.normal), 0.0);
+  }
+
+  void tell(const Begun& begun) {
+    ContactEvent& event = events_.emplace_back(event_of(view_of(*begun.contact)));
+    event.speed = begun.speed;
+  }
 
   void EndContact(b2Contact* contact) override {
-    if (std::erase(begun_, contact) > 0) events_.push_back(event_of(view_of(*contact)));
+    const BodyId one = id_of(contact->GetFixtureA());
+    const BodyId other = id_of(contact->GetFixtureB());
+    ended_.push_back({std::min(one, other), std::max(one, other)});
+    const auto begun =
+        std::find_if(begun_.begin(), begun_.end(), [&](const Begun& entry) { return entry.contact == contact; });
+    if (begun != begun_.end()) {
+      tell(*begun);
+      begun_.erase(begun);
+    }
     std::erase_if(late_impulses_, [contact](const LateImpulse& late) { return late.contact == contact; });
   }
 
@@ -213,9 +242,11 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
   std::vector<b2Joint*> joints_;  // owned by the world
   float steps_per_second_ = 0;
   bool surfaces_move_ = false;
-  std::vector<b2Contact*> begun_;           ///< in this step
+  std::vector<Begun> begun_;                ///< in this step
   std::vector<LateImpulse> late_impulses_;  ///< in this step
   std::vector<ContactEvent> events_;
+  std::vector<SeparationEvent> ended_;  ///< since the last step began, or by commands before it
+  std::vector<SeparationEvent> separation_events_;
 };
 
 }  // namespace

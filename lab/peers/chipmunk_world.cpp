@@ -78,6 +78,7 @@ class ChipmunkWorld final : public PeerWorld {
     cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_);
     handler->userData = this;
     handler->beginFunc = begin;
+    handler->separateFunc = separate;
     handler->preSolveFunc = mix;
     keep(cpSpaceGetStaticBody(space_));
   }
@@ -164,6 +165,7 @@ class ChipmunkWorld final : public PeerWorld {
       if (begun.arbiter->count > 0) event.impulse = event_of(view_of(*begun.arbiter)).impulse;
       events_.push_back(event);
     }
+    separation_events_ = std::exchange(ended_, {});
   }
 
   std::vector<ContactView> contacts() const override {
@@ -175,6 +177,7 @@ class ChipmunkWorld final : public PeerWorld {
   }
 
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  const std::vector<SeparationEvent>& separation_events() const override { return separation_events_; }
 
  private:
   struct KeptJoint {
@@ -252,8 +255,19 @@ class ChipmunkWorld final : public PeerWorld {
   }
 
   static cpBool begin(cpArbiter* arbiter, cpSpace*, cpDataPointer world) {
-    static_cast<ChipmunkWorld*>(world)->begun_.push_back({event_of(view_of(*arbiter)), arbiter});
+    ContactEvent event = event_of(view_of(*arbiter));
+    cpBody* a = nullptr;
+    cpBody* b = nullptr;
+    cpArbiterGetBodies(arbiter, &a, &b);
+    const cpVect point = to_cp(event.point);
+    const cpVect meeting = cpvsub(cpBodyGetVelocityAtWorldPoint(a, point), cpBodyGetVelocityAtWorldPoint(b, point));
+    event.speed = std::max(cpvdot(meeting, cpArbiterGetNormal(arbiter)), 0.0);
+    static_cast<ChipmunkWorld*>(world)->begun_.push_back({event, arbiter});
     return cpTrue;
+  }
+
+  static void separate(cpArbiter* arbiter, cpSpace*, cpDataPointer world) {
+    static_cast<ChipmunkWorld*>(world)->ended_.push_back(separation_of(view_of(*arbiter)));
   }
 
   /// Restitution max(a, b); surfaces move counter-clockwise round their bodies. Friction mixes by itself.
@@ -275,6 +289,8 @@ class ChipmunkWorld final : public PeerWorld {
   bool mixes_ = false;  ///< some contact's coefficients are not those Chipmunk makes by itself
   std::vector<Begun> begun_;
   std::vector<ContactEvent> events_;
+  std::vector<SeparationEvent> ended_;  ///< since the last step began, or by commands before it
+  std::vector<SeparationEvent> separation_events_;
 };
 
 }  // namespace

@@ -16,9 +16,11 @@ inline ContactView in_order(ContactView view) {
   return view;
 }
 
+inline SeparationEvent separation_of(const ContactView& view) { return {view.a, view.b}; }
+
 /// What the first tick of a contact is told as.
 inline ContactEvent event_of(const ContactView& view) {
-  ContactEvent event{view.a, view.b, view.points[0].point, view.normal, 0};
+  ContactEvent event{view.a, view.b, view.points[0].point, view.normal};
   for (int i = 0; i < view.point_count; ++i) event.impulse += view.points[i].normal_impulse;
   return event;
 }

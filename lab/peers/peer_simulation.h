@@ -18,6 +18,7 @@ class PeerSimulation final : public Simulation {
   void apply(const Command& command) override;
   std::int64_t tick() const override { return tick_; }
   const std::vector<ContactEvent>& contact_events() const override { return world_->contact_events(); }
+  const std::vector<SeparationEvent>& separation_events() const override { return world_->separation_events(); }
   const std::vector<BreakEvent>& break_events() const override { return break_events_; }
   bool exists(BodyId body) const override;
   bool exists(JointId joint) const override;

@@ -52,6 +52,8 @@ class PeerWorld {
   virtual std::vector<ContactView> contacts() const = 0;
   /// What began to touch in the last step.
   virtual const std::vector<ContactEvent>& contact_events() const = 0;
+  /// What touched before the last step, or before the commands that led to it, and does not any more.
+  virtual const std::vector<SeparationEvent>& separation_events() const = 0;
 };
 
 }  // namespace proofreel

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Mark mark{'p', 'r', 'o', 'o', 'f', 'r', 's', 't'};
 constexpr std::size_t head_size = 20;
+constexpr std::uint8_t version = 2;
 
 /// Everything a picture may show and a script may ask, as one number.
 std::uint64_t seen_in(const Simulation& simulation) {
@@ -33,6 +34,7 @@ std::uint64_t seen_in(const Simulation& simulation) {
   for (const JointView& j : shot.joints) all(j.anchor_a, j.reaction, j.torque, j.gap, j.broken);
   for (const TreeBoxView& box : shot.tree) all(box.box, box.depth);
   for (const ContactEvent& event : simulation.contact_events()) all(event.a, event.b, event.point, event.impulse);
+  for (const SeparationEvent& event : simulation.separation_events()) all(event.a, event.b);
   for (const BreakEvent& event : simulation.break_events()) all(event.joint, event.point, event.reaction);
   return hash_of(all.bytes().data(), all.bytes().size());
 }
@@ -48,7 +50,7 @@ std::vector<std::byte> busy_at(std::int64_t tick) {
 
 /// The bytes with another content behind a seal that fits it.
 std::vector<std::byte> resealed(const std::vector<std::byte>& bytes) {
-  return sealed(mark, 1, std::span(bytes).subspan(head_size));
+  return sealed(mark, version, std::span(bytes).subspan(head_size));
 }
 
 }  // namespace
@@ -146,7 +148,7 @@ TEST_CASE("Bytes of another scene, another precision or another version are refu
   REQUIRE_THAT(simulate(scene)->restore(resealed(changed)).value(),
                Contains(is_double ? "is in single precision" : "is in double precision"));
   changed = bytes;
-  changed[sizeof(Mark)] = std::byte{2};
+  changed[sizeof(Mark)] = std::byte{version + 1};
   REQUIRE_THAT(simulate(scene)->restore(changed).value(), Contains("newer version"));
   changed[0] = std::byte{'q'};
   REQUIRE_THAT(simulate(scene)->restore(changed).value(), Contains("was not written by this program"));

@@ -185,6 +185,7 @@ TEST_CASE("A peer tells once that two bodies have met, and how hard", "[peers]")
   REQUIRE(events.size() == 1);
   REQUIRE(events[0].a == first);
   REQUIRE(events[0].normal.y == Approx(-1));
+  REQUIRE(events[0].speed == Approx(std::sqrt(2 * g)).margin(0.2));
   const double mass = simulation->body(first).mass;
   REQUIRE(events[0].impulse == Approx(mass * std::sqrt(2 * g)).epsilon(0.1));
 }
@@ -193,12 +194,15 @@ TEST_CASE("A sensor of a peer tells of what it meets and lets it pass", "[peers]
   BodyDef gate = floor_body();
   gate.sensor = true;
   const auto simulation = make_peer(each_peer(), scene_of({body_with(disc_shape(0.5), {0, 1.5}), gate}));
-  std::size_t events = 0;
+  std::size_t entered = 0;
+  std::size_t left = 0;
   for (int i = 0; i < 60; ++i) {
     simulation->step();
-    events += simulation->contact_events().size();
+    entered += simulation->contact_events().size();
+    left += simulation->separation_events().size();
   }
-  REQUIRE(events == 1);
+  REQUIRE(entered == 1);
+  REQUIRE(left == 1);
   REQUIRE(simulation->body(first).velocity.y == Approx(-g).epsilon(1e-4));
 }
 

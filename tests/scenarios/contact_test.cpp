@@ -20,7 +20,34 @@ const std::string two_balls = R"(
 
 const ContactEvent touch{a, b, {0.5, 0.25}, {1, 0}, 3};
 
+const SeparationEvent parting{a, b};
+
 }  // namespace
+
+TEST_CASE("on_contact tells how fast they met") {
+  FakeRun r(two_balls + "on_contact(a, b, function(e) log = e.speed end)");
+  r.simulation->events_at[1] = {{a, b, {}, {1, 0}, 3, 2.5}};
+  r.until(1);
+  CHECK(r.measure() == 2.5);
+}
+
+TEST_CASE("on_separate hears when two part, in the order the handler names them") {
+  const std::string pair = GENERATE("b, a", "b, nil", "nil, a");
+  FakeRun r(two_balls + "on_separate(" + pair +
+            ", function(e) log = log + ((e.a == b and e.b == a) and 1 or 100) end)" +
+            "on_separate(c, nil, function() log = 50 end)");
+  r.simulation->separations_at[2] = {parting};
+  r.until(3);
+  CHECK(r.measure() == 1);
+}
+
+TEST_CASE("on_separate hears of a body that was removed, too, whose handle still tells who it was") {
+  FakeRun r(two_balls + "at(0.01, function() b:remove() end)" +
+            "on_separate(a, nil, function(e) log = e.b == b and 1 or 2 end)");
+  r.simulation->separations_at[2] = {parting};
+  r.until(2);
+  CHECK(r.measure() == 1);
+}
 
 TEST_CASE("on_contact hears of contacts after the step that made them") {
   FakeRun r(two_balls + "on_contact(a, b, function(e) log = time() * 100 + e.impulse * 1000 end)");
@@ -81,6 +108,20 @@ TEST_CASE("contacts lists touching points only, seen from the body asked about")
   r.simulation->touching = {view};
   r.until(2);
   CHECK(r.measure() == 11);
+}
+
+TEST_CASE("contacts of nobody lists all that touches, normals from a to b") {
+  FakeRun r(two_balls + R"(
+    at(0.01, function()
+      local list = contacts()
+      local one = list[1]
+      log = #list * 10 + ((one.a == a and one.b == b and one.normal.x == 1 and one.separation == -0.1) and 1 or 2)
+    end))");
+  ContactView view{a, b, {1, 0}, {}, 1};
+  view.points[0] = {{0, 0}, -0.1, 2, 0};
+  r.simulation->touching = {view, view};
+  r.until(2);
+  CHECK(r.measure() == 21);
 }
 
 TEST_CASE("A ball that falls on the ground tells of it once") {

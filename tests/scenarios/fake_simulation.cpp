@@ -16,6 +16,7 @@ void FakeSimulation::step() {
     f.state.center += (1.0 / rate_) * f.state.velocity;
     f.state.angle += f.state.spin / rate_;
   }
+  separations_ = separations_at.contains(tick_) ? separations_at[tick_] : std::vector<SeparationEvent>{};
   events_ = events_at.contains(tick_) ? events_at[tick_] : std::vector<ContactEvent>{};
   if (fails_at == tick_) failure_ = Failure{tick_, static_cast<BodyId>(1), "the drift"};
 }

@@ -17,6 +17,8 @@ class FakeSimulation : public Simulation {
 
   /// What contact_events() gives after the step that ends at that tick.
   std::map<std::int64_t, std::vector<ContactEvent>> events_at;
+  /// What separation_events() gives after that step.
+  std::map<std::int64_t, std::vector<SeparationEvent>> separations_at;
   /// What contacts() gives.
   std::vector<ContactView> touching;
   /// The tick at which body 1 stops being finite.
@@ -28,6 +30,7 @@ class FakeSimulation : public Simulation {
   void apply(const Command& command) override;
   std::int64_t tick() const override { return tick_; }
   const std::vector<ContactEvent>& contact_events() const override { return events_; }
+  const std::vector<SeparationEvent>& separation_events() const override { return separations_; }
   bool exists(BodyId body) const override;
   bool exists(JointId joint) const override;
   BodyState body(BodyId body) const override;
@@ -51,6 +54,7 @@ class FakeSimulation : public Simulation {
   std::vector<Flier> fliers_;
   std::vector<std::pair<JointDef, bool>> joints_;  ///< and whether it is still there
   std::vector<ContactEvent> events_;
+  std::vector<SeparationEvent> separations_;
   std::optional<Failure> failure_;
 };
 

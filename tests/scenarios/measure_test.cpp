@@ -128,5 +128,6 @@ TEST_CASE("The trajectory hash chains the states of all ticks") {
 TEST_CASE("Energy is what the simulation says, while loading too") {
   CHECK(value_of("energy().total", "body{at={0, 2}, mass=3, shape=circle{radius=1}, velocity={2, 0}}") ==
         Approx(0.5 * 3 * 4 + 3 * 9.81 * 2));
+  CHECK(is_true("e.work == 0", "e = energy()"));
   CHECK(is_true("e.total == e.kinetic + e.potential", "body{shape=circle{radius=1}, spin=2}\ne = energy()"));
 }

@@ -162,6 +162,9 @@ TEST_CASE("Handles refuse methods they do not have and bodies that are gone") {
   check({"world:set{at={1,1}}", "the world cannot be changed"});
   check({"ground{y=0}:impulse({1,0})", "b:impulse has no effect on body \"ground\", which is not dynamic"});
   check({"contacts(5)", "contacts(b): b must be a body, got 5"});
+  check({"contacts(nil)", "contacts(b): b must be a body, got nothing"});
+  check({"on_separate(b, print)", "on_separate needs two bodies (or nil for any) and a function"});
+  check({"on_separate(b, b, print)", "on_separate: a body never touches itself"});
 }
 
 TEST_CASE("Joints refuse what they cannot join") {
