@@ -10,7 +10,6 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
-constexpr int most_sweeps = 1000;
 /// What changes less than this part of the largest impulse does not change.
 constexpr real settled = 4 * std::numeric_limits<real>::epsilon();
 /// Where there is no solution, because something is squeezed by what does not give way, impulses must not grow without
@@ -113,18 +112,21 @@ bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& r
   return true;
 }
 
-void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions) {
+bool has_mover(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) {
+  return std::any_of(rows.begin(), rows.end(), [&motions](const ContactRow& row) {
+    return is_mover(motions[row.term.body_a]) || is_mover(motions[row.term.body_b]);
+  });
+}
+
+void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_sweeps) {
   const auto inverse_mass = [&motions](const Term& t) {
     const Motion& a = motions[t.body_a];
     const Motion& b = motions[t.body_b];
     return (a.inv_mass + b.inv_mass) * dot(t.direction, t.direction) + a.inv_inertia * t.arm_a * t.arm_a +
            b.inv_inertia * t.arm_b * t.arm_b;
   };
-  const bool has_mover = std::any_of(rows.begin(), rows.end(), [&motions](const ContactRow& row) {
-    return is_mover(motions[row.term.body_a]) || is_mover(motions[row.term.body_b]);
-  });
   // Pivots find the solution of a small group if there is one.
-  const real give = has_mover || rows.size() <= most_rows_to_pivot ? give_of_squeezed : real(0);
+  const real give = has_mover(rows, motions) || rows.size() <= most_rows_to_pivot ? give_of_squeezed : real(0);
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     real largest = 0;
     real change = 0;

@@ -42,8 +42,11 @@ inline bool is_moved(const Motion& m) { return m.inv_mass > 0 || m.inv_inertia >
 bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& response, double noise,
                      std::vector<Motion>& motions);
 
-/// Row after row takes the impulse it needs at the moment, until nothing changes any more, or a thousand times.
-void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions);
+/// Whether one of the rows' bodies goes its way whatever pushes back.
+bool has_mover(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions);
+
+/// Row after row takes the impulse it needs at the moment, until nothing changes any more, or so many times.
+void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_sweeps);
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

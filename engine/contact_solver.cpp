@@ -199,6 +199,7 @@ void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
     // Up through the pile and down again: neither direction, nor the side the pile was built from, is favoured.
     const std::size_t at = push == Push::back ? n - 1 - i : i;
     ContactConstraint& c = constraints_[at];
+    if (c.exact) continue;
     Motion& a = motions[c.body_a];
     Motion& b = motions[c.body_b];
     for (int k = 0; k < c.count; ++k) solve_normal<push>(c, c.points[k], a, b, h);
@@ -226,6 +227,7 @@ template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion
 
 void ContactSolver::solve(std::vector<Motion>& motions, real h) {
   switch (method_) {
+    case ContactMethod::automatic:
     case ContactMethod::soft_step:
       return sweep<Push::softly>(motions, h);
     case ContactMethod::sequential_impulses:

@@ -50,6 +50,7 @@ struct ContactConstraint {
   BodyIndex body_b = 0;
   int count = 0;
   bool sliding = false;  ///< as in Contact
+  bool exact = false;    ///< solved by ExactContacts: no sweep touches it
   Vec2 normal;
   real friction_at_rest = 0;
   real friction_sliding = 0;

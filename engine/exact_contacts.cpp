@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/islands.h"
 
@@ -9,8 +10,23 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
+/// Multiplications for a factorisation of a group.
+constexpr double most_work = 2e7;
+/// The same where others would do, if not as well; and contacts of a group, without joints and with them.
+constexpr double most_affordable_work = 2e6;
+constexpr std::size_t most_affordable_contacts = 150;
+constexpr std::size_t most_affordable_with_joints = 16;
+/// A soft contact gives way by about 1.6 h times the speed that its impulse of a substep makes; a five hundredth of the
+/// thickness shows.
+constexpr real visible_load = real(0.00125);
+/// Of Newton's method, which then has settled, or hardly will.
+constexpr int most_newton_rounds = 40;
+constexpr int most_affordable_rounds = 6;
+constexpr int most_sweeps = 1000;
+constexpr int most_affordable_sweeps = 60;
 /// So often at most the ways of the contacts are looked at again, because bodies turn.
 constexpr int most_rounds_of_turning = 3;
+constexpr int affordable_rounds_of_turning = 2;
 /// What responses are known to, where a row's own is 1: among bodies alone, and with joints that answer.
 constexpr double noise_of_contacts = 1e-10;
 constexpr double noise_of_joints = sizeof(real) == sizeof(double) ? 1e-9 : 1e-5;
@@ -67,12 +83,56 @@ Way way_of(const ContactConstraint& c, const ConstraintPoint& p, const std::vect
 
 }  // namespace
 
-void ExactContacts::prepare(const ContactSolver& contacts, const JointSolver* joints,
-                            const std::vector<Motion>& motions) {
-  groups_.clear();
+void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions,
+                            real h, Share share) {
+  share_ = share;
   group_by_bodies(contacts, joints, motions);
-  for (std::size_t i = 0; i < group_of_.size(); ++i) add_contact(groups_[group_of_[i]], i, contacts);
+  for (Group& group : groups_) group.chosen = share == Share::all || may_be_affordable(group, joints);
+  std::vector<ContactConstraint>& constraints = contacts.constraints();
+  if (share == Share::affordable) look_for_load(constraints, h);
+  for (std::size_t i = 0; i < group_of_.size(); ++i) {
+    if (groups_[group_of_[i]].chosen) add_contact(groups_[group_of_[i]], i, contacts);
+  }
   add_rolling(contacts);
+  for (Group& group : groups_) {
+    if (!group.chosen) continue;
+    const double work = share == Share::all ? most_work : most_affordable_work;
+    group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, work);
+    if (share == Share::affordable) group.chosen = group.by_newton || !group.joint_groups.empty();
+  }
+  chosen_ = 0;
+  for (std::size_t i = 0; i < group_of_.size(); ++i) {
+    constraints[i].exact = groups_[group_of_[i]].chosen;
+    chosen_ += constraints[i].exact ? 1 : 0;
+  }
+  std::erase_if(groups_, [](const Group& group) { return !group.chosen; });
+  moves_joints_ = std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return !g.joint_groups.empty(); });
+}
+
+/// A first look, before anything is made. Joints that are swept would be left out of the matrix.
+bool ExactContacts::may_be_affordable(const Group& group, const JointSolver* joints) {
+  if (joints != nullptr && joints->sweeps()) return false;
+  return group.contacts <= (group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints);
+}
+
+/// Soft contacts give way by what they bear. Where joints answer, exactness costs a solution of all of them per point:
+/// it is bought only where that giving way would show, by the impulses of the last substep.
+void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constraints, real h) {
+  for (Group& group : groups_) group.loaded = group.joint_groups.empty();
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const ContactConstraint& c = constraints[i];
+    for (int k = 0; k < c.count; ++k) {
+      const ConstraintPoint& p = c.points[k];
+      if (h * p.normal_impulse > visible_load * c.length * p.normal_mass) groups_[group_of_[i]].loaded = true;
+    }
+  }
+  for (Group& group : groups_) group.chosen = group.chosen && group.loaded;
+}
+
+std::string ExactContacts::told() const {
+  return std::to_string(chosen_) + " of " + std::to_string(group_of_.size()) +
+         " contacts at the last tick were solved exactly, in " + std::to_string(groups_.size()) +
+         " islands; the others are soft, for larger islands cost too much";
 }
 
 void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSolver* joints,
@@ -85,6 +145,7 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
   for (std::size_t g = 0; g < joint_groups; ++g) {
     for (const BodyIndex body : joints->bodies_of(g)) links.push_back({joints->bodies_of(g).front(), body});
   }
+  groups_.clear();
   const std::vector<std::uint32_t> island = number_islands(takes_part, links);
   const std::size_t none = motions.size();
   std::vector<std::size_t> group_of_island(motions.size() + 1, none);
@@ -95,14 +156,13 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
       group = groups_.size();
       groups_.emplace_back();
     }
+    ++groups_[group].contacts;
     group_of_.push_back(group);
   }
-  moves_joints_ = false;
   for (std::size_t g = 0; g < joint_groups; ++g) {
     const std::size_t group = group_of_island[island[joints->bodies_of(g).front()]];
     if (group == none) continue;
     groups_[group].joint_groups.push_back(g);
-    moves_joints_ = true;
   }
 }
 
@@ -124,7 +184,9 @@ void ExactContacts::add_contact(Group& group, std::size_t constraint, const Cont
 void ExactContacts::add_rolling(const ContactSolver& contacts) {
   const std::vector<RollingRows::Row>& rolling = contacts.rolling();
   for (std::size_t i = 0; i < rolling.size(); ++i) {
-    std::vector<ContactRow>& rows = groups_[group_of_[rolling[i].constraint]].rows;
+    Group& group = groups_[group_of_[rolling[i].constraint]];
+    if (!group.chosen) continue;
+    std::vector<ContactRow>& rows = group.rows;
     const auto of_same = [&](const ContactRow& row) { return row.constraint == rolling[i].constraint; };
     const auto first = std::find_if(rows.begin(), rows.end(), of_same);
     ContactRow row{RowKind::roll, rolling[i].constraint, i, {rolling[i].body_a, rolling[i].body_b, {}, 1, 1}};
@@ -137,7 +199,8 @@ void ExactContacts::add_rolling(const ContactSolver& contacts) {
 
 void ExactContacts::solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
                                     real h, Reach reach) {
-  for (int round = 0; round < most_rounds_of_turning; ++round) {
+  const int most_rounds = share_ == Share::all ? most_rounds_of_turning : affordable_rounds_of_turning;
+  for (int round = 0; round < most_rounds; ++round) {
     if (set_goals(contacts, motions, h, reach) <= 1 && round > 0) return;
     solve_all(contacts, joints, motions);
   }
@@ -201,11 +264,30 @@ void ExactContacts::solve_all(ContactSolver& contacts, const JointSolver* joints
       row.given = impulse_of(row);
       if (row.kind == RowKind::slip) row.coefficient = friction_of(contacts.constraints()[row.constraint]);
     }
-    const bool few = group.rows.size() <= most_rows_to_pivot;
-    if (few) find_responses(group, joints, motions);
-    const double noise = group.joint_groups.empty() ? noise_of_contacts : noise_of_joints;
-    if (!few || !solve_by_pivots(group.rows, group.response, noise, motions)) solve_by_sweeps(group.rows, motions);
+    solve_group(group, joints, motions);
     for (const ContactRow& row : group.rows) impulse_of(row) = row.given;
+  }
+}
+
+/// Where exactness is what was asked for: by pivots, where they are few; else by Newton's method; else by sweeps.
+void ExactContacts::solve_group(Group& group, const JointSolver* joints, std::vector<Motion>& motions) {
+  if (share_ == Share::affordable && group.by_newton) return solve_cheaply(group, motions);
+  const bool few = group.rows.size() <= most_rows_to_pivot;
+  if (few) find_responses(group, joints, motions);
+  const double noise = group.joint_groups.empty() ? noise_of_contacts : noise_of_joints;
+  if (few && solve_by_pivots(group.rows, group.response, noise, motions)) return;
+  if (group.by_newton && group.newton.solve(group.rows, motions, most_newton_rounds)) return;
+  solve_by_sweeps(group.rows, motions, most_sweeps);
+}
+
+/// The next substep goes on with what has not settled: unless it never will, because something that does not give way
+/// presses.
+void ExactContacts::solve_cheaply(Group& group, std::vector<Motion>& motions) {
+  if (group.newton.solve(group.rows, motions, most_affordable_rounds)) return;
+  if (has_mover(group.rows, motions)) {
+    solve_by_sweeps(group.rows, motions, most_affordable_sweeps);
+  } else {
+    group.newton.apply(group.rows, motions);
   }
 }
 

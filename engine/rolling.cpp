@@ -44,6 +44,7 @@ void RollingRows::add_share(std::vector<Motion>& motions, real share) {
 void RollingRows::sweep(const std::vector<ContactConstraint>& constraints, std::vector<Motion>& motions) {
   for (Row& row : rows_) {
     const ContactConstraint& c = constraints[row.constraint];
+    if (c.exact) continue;
     real pressed = 0;
     for (int k = 0; k < c.count; ++k) pressed += c.points[k].normal_impulse;
     const real rolling = motions[row.body_b].spin - motions[row.body_a].spin;

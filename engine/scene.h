@@ -190,10 +190,11 @@ enum class Precision : std::uint8_t { float32, float64 };
 
 /// How contacts and their friction are solved.
 enum class ContactMethod : std::uint8_t {
+  automatic,            ///< exact where that is affordable, island by island, and soft_step for the others
   soft_step,            ///< contacts are stiff damped springs, and what they push too much is taken back
   sequential_impulses,  ///< one contact after the other, overlap driven out by velocity (as taught: Baumgarte)
   ngs,                  ///< the same, overlap taken out of the positions afterwards (nonlinear Gauss-Seidel)
-  exact,                ///< all contacts of a small group at once, exactly: the truth the others are measured against
+  exact,                ///< all contacts of an island at once, exactly: the truth the others are measured against
   event                 ///< as exact, and every impact at its own time
 };
 
@@ -206,11 +207,11 @@ enum class JointMethod : std::uint8_t {
 /// How a scene is solved.
 struct Method {
   Integrator integrator = Integrator::verlet;
-  ContactMethod contact_solver = ContactMethod::soft_step;
+  ContactMethod contact_solver = ContactMethod::automatic;
   JointMethod joint_solver = JointMethod::direct;
   int substeps = 2;                  ///< per tick, at least 1
   std::optional<int> iterations;     ///< solver sweeps per substep, at least 1; without it, see `sweeps_per_substep`
-  std::optional<double> contact_hz;  ///< stiffness of contacts; without it, 0.125 per substep
+  std::optional<double> contact_hz;  ///< stiffness of soft contacts, which then all are; without it, 0.125 per substep
   Precision precision = Precision::float64;
 };
 

@@ -151,15 +151,18 @@ void World::prepare_solvers() {
       const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
       contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
                               {on(Effect::friction), on(Effect::rolling_resistance), on(Effect::surface_speed)});
-      if (is_exact()) {
-        for (ContactConstraint& c : contact_solver_.constraints()) c.closed = closed_gap(contacts_[c.contact]);
-        exact_contacts_.prepare(contact_solver_, has_rigid_joints() ? &joint_solver_ : nullptr, motions_);
-      }
+      if (may_be_exact()) prepare_exact_contacts();
     });
   }
   if (on(Effect::joints)) {
     timed(StepStage::joint_solver, [this] { joint_solver_.linearize(jointed()); });
   }
+}
+
+void World::prepare_exact_contacts() {
+  for (ContactConstraint& c : contact_solver_.constraints()) c.closed = closed_gap(contacts_[c.contact]);
+  const ExactContacts::Share share = is_exact() ? ExactContacts::Share::all : ExactContacts::Share::affordable;
+  exact_contacts_.prepare(contact_solver_, has_rigid_joints() ? &joint_solver_ : nullptr, motions_, h_, share);
 }
 
 /// Verlet splits the forces in two halves, one before the drift and one after it; symplectic Euler gives them all
@@ -243,7 +246,7 @@ void World::solve(real h, real share) {
     }
     if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
   }
-  if (on(Effect::contacts) && is_exact()) solve_exactly(h);
+  if (on(Effect::contacts) && !exact_contacts_.empty()) solve_exactly(h);
 }
 
 /// Joints answer to the contacts within the solution; what turning leaves open of both is closed by going round again.
@@ -267,14 +270,15 @@ void World::push_out() {
 /// Takes out of the velocities what was only there to correct positions, and under verlet what the second half of the
 /// forces has put in.
 void World::relax(real h) {
-  const bool soft = method_.contact_solver == ContactMethod::soft_step;
+  const bool soft =
+      method_.contact_solver == ContactMethod::automatic || method_.contact_solver == ContactMethod::soft_step;
   for (int i = 0; i < sweeps_per_substep(method_); ++i) {
     if (on(Effect::contacts) && (soft || (is_verlet() && !is_exact()))) {
       timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });
     }
     if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
   }
-  if (on(Effect::contacts) && is_exact()) relax_exactly(h);
+  if (on(Effect::contacts) && !exact_contacts_.empty()) relax_exactly(h);
   contact_solver_.end_substep();
 }
 

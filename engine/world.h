@@ -81,6 +81,7 @@ class World final : public Simulation {
   void step_in_stages();
   void find_contacts();
   void prepare_solvers();
+  void prepare_exact_contacts();
   void advance(real h);
   void substep(real h);
   void pull_and_damp(real h);
@@ -258,6 +259,10 @@ class World final : public Simulation {
   bool locates_impacts() const { return method_.contact_solver == ContactMethod::event && on(Effect::contacts); }
   bool is_exact() const {
     return method_.contact_solver == ContactMethod::exact || method_.contact_solver == ContactMethod::event;
+  }
+  /// Some islands may be, others not.
+  bool may_be_exact() const {
+    return is_exact() || (method_.contact_solver == ContactMethod::automatic && !method_.contact_hz);
   }
   ExactContacts::Reach reach_of_contacts() const {
     return locating_ ? ExactContacts::Reach::closed : ExactContacts::Reach::all;

@@ -15,10 +15,12 @@ bool World::exists(JointId id) const {
   return index < joints_.size() && joints_[index].alive;
 }
 
-/// What the joint solver has found out about nets is a reason, too.
+/// What the solvers have found out is a reason, too: about islands of contacts, and nets of joints.
 std::vector<EffectDecision> World::effects() const {
   std::vector<EffectDecision> decisions = listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
   for (EffectDecision& decision : decisions) {
+    const bool chooses = decision.effect == Effect::contacts && decision.on && may_be_exact() && !is_exact();
+    if (chooses) decision.why += "; " + exact_contacts_.told();
     const std::size_t rows = decision.effect == Effect::joints && decision.on ? joint_solver_.rows_of_nets() : 0;
     if (rows > 0) decision.why += "; " + std::to_string(rows) + " rows of large nets are solved one by one";
   }

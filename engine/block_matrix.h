@@ -1,0 +1,98 @@
+#pragma once
+
+/// A symmetric linear system made of small blocks, most of which are zero, factored by L D L^T with square-root-free
+/// Cholesky elimination. Which blocks can become non-zero is worked out once (George and Liu, "Computer Solution of
+/// Large Sparse Positive Definite Systems", 1981, chapter 5); how many rows a block has may change from one
+/// factorisation to the next at no cost, so that equations that do not hold at present take no part.
+///
+/// The blocks of one column stand below each other in a dense panel. Numbered from the leaves to the root, trees fill
+/// in nothing: chains and trees of joints are factored in time proportional to their number.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/real.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+template <typename T>
+class BlockMatrixOf {
+ public:
+  /// `below[c]` are the rows of the non-zero blocks below the diagonal of column c, ascending; `most_rows[c]` is how
+  /// many rows block c may have. False where a factorisation would take more than `most_work` multiplications: then
+  /// the matrix is of no use.
+  bool plan(std::vector<std::vector<int>> below, const std::vector<int>& most_rows, double most_work);
+  /// From now on block i has `rows[i]` rows. All entries become 0.
+  void resize(const std::vector<int>& rows);
+  void clear();
+  /// How many equations there are now.
+  int size() const { return first_.back(); }
+  /// The number of equation 0 of block i.
+  int first(int i) const { return first_[at(i)]; }
+
+  /// One block of the lower triangle, for filling it.
+  struct Block {
+    T* values = nullptr;
+    std::size_t stride = 0;
+    T& operator()(int row, int column) const {
+      return values[static_cast<std::size_t>(column) * stride + static_cast<std::size_t>(row)];
+    }
+  };
+  /// The place of block (row, column), column <= row, which was planned.
+  int place_of(int row, int column) const;
+  /// On the diagonal only what is on or below it counts.
+  Block block(int place) {
+    const std::size_t column = at(column_[at(place)]);
+    return {values_.data() + panel_[column] + offset_[at(place)], at(height_[column])};
+  }
+  /// Multiplies the diagonal.
+  void stretch_diagonal(T factor);
+  /// Turns the matrix into its factors. A pivot that is nothing but rounding belongs to a redundant row (a closed loop
+  /// has some): its unknown is set to 0. Returns the least pivot relative to what stood on its diagonal before: how
+  /// independent the rows are, 1 at best.
+  T factor();
+  /// Overwrites the right-hand side by the solution. After `factor`.
+  void solve(std::vector<T>& x) const;
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  int rows_of(int i) const { return first_[at(i) + 1] - first_[at(i)]; }
+  void find_runs(const std::vector<int>& most_rows);
+  void subtract_what_follows_from(int place);
+  void subtract_in_runs(int place);
+  void take_updates(int column);
+  T factor_panel(int column);
+  void spread(int column, T* x) const;
+  void gather(int column, T* x) const;
+  template <typename Visit>
+  void for_each_run(int place, int skip, Visit&& visit) const;
+
+  // The plan. Places number the blocks column by column, the diagonal one first.
+  std::vector<int> start_;                ///< first place of each column, and the end
+  std::vector<int> row_;                  ///< block row of each place
+  std::vector<int> column_;               ///< and its block column
+  std::vector<int> run_end_;              ///< the first place behind it that does not stand on the next rows
+  std::vector<std::uint8_t> in_runs_;     ///< whether a column's blocks stand in long runs
+  std::vector<std::vector<int>> beside_;  ///< of each block row, the places left of the diagonal
+
+  // Sizes.
+  std::vector<int> first_;          ///< number of each block's first equation, and how many there are
+  std::vector<std::size_t> panel_;  ///< where the panel of each column begins
+  std::vector<int> height_;         ///< of each panel, in rows
+  std::vector<int> offset_;         ///< of each place in its panel, in rows
+  std::vector<std::size_t> list_;   ///< where in `equations_` those of each panel begin
+  std::vector<int> equations_;      ///< the numbers of all rows of all panels
+
+  std::vector<T> values_;
+  std::vector<T> pivot_;
+  std::vector<T> inverse_pivot_;
+  std::vector<T> updates_;  ///< what is to be subtracted from one panel, by equation; 0 between uses
+};
+
+/// Most are as precise as the engine; contacts of very unequal masses need all the digits there are.
+using BlockMatrix = BlockMatrixOf<real>;
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
