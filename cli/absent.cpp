@@ -15,11 +15,9 @@ Subcommand absent(CLI::App& program, const char* name, const char* why) {
 
 std::vector<Subcommand> absent_commands(CLI::App& program) {
   std::vector<Subcommand> commands;
-  for (const char* name : {"diff", "study", "scorecard"}) {
-    commands.push_back(absent(program, name, " is not built yet."));
-  }
+  commands.push_back(absent(program, "diff", " is not built yet."));
 #ifndef PROOFREEL_PICTURES
-  for (const char* name : {"render", "bless", "doctor"}) {
+  for (const char* name : {"render", "bless", "doctor", "study", "scorecard"}) {
     commands.push_back(absent(program, name, " is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF)."));
   }
 #endif

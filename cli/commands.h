@@ -14,6 +14,8 @@ Subcommand explain_command(CLI::App& program);
 Subcommand render_command(CLI::App& program);
 Subcommand bless_command(CLI::App& program);
 Subcommand doctor_command(CLI::App& program);
+Subcommand study_command(CLI::App& program);
+Subcommand scorecard_command(CLI::App& program);
 #endif
 /// Subcommands this program does not have; calling one is a UsageError that says why.
 std::vector<Subcommand> absent_commands(CLI::App& program);

@@ -8,23 +8,6 @@
 #include "scenarios/source.h"
 
 namespace proofreel {
-namespace {
-
-std::vector<std::string> files_meant(const std::vector<std::string>& named) {
-  if (named.empty()) return scenario_files_in(scenarios_folder());
-  std::vector<std::string> files;
-  for (const std::string& name : named) {
-    if (std::filesystem::is_directory(name)) {
-      for (std::string& file : scenario_files_in(name)) files.push_back(std::move(file));
-    } else {
-      files.push_back(scenario_file(name));
-    }
-  }
-  return files;
-}
-
-}  // namespace
-
 GoldenStore store_for(const std::string& scenario_file, const std::string& given) {
   if (!given.empty()) return GoldenStore(given);
   if (const std::optional<GoldenStore> nearest = nearest_store(scenario_file)) return *nearest;
@@ -34,7 +17,7 @@ GoldenStore store_for(const std::string& scenario_file, const std::string& given
 std::vector<StoredScenario> scenarios_meant(const std::vector<std::string>& named, const std::string& given) {
   std::vector<StoredScenario> meant;
   std::map<std::filesystem::path, std::string> file_of_reference;
-  for (const std::string& file : files_meant(named)) {
+  for (const std::string& file : scenario_files_meant(named, scenarios_folder())) {
     const GoldenStore store = store_for(file, given);
     const std::string id = id_of(file);
     const auto [entry, is_new] = file_of_reference.emplace(std::filesystem::weakly_canonical(store.folder(id)), file);

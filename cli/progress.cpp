@@ -10,6 +10,24 @@ namespace {
 constexpr auto pause_between_updates = std::chrono::milliseconds(100);
 constexpr const char* wipe_line = "\r\033[K";
 
+std::string with(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// In the unit that needs no more than three digits.
+std::string duration_text(double seconds) {
+  if (seconds < 100) return with("%.0f s", seconds);
+  return seconds < 6000 ? with("%.0f min", seconds / 60) : with("%.1f h", seconds / 3600);
+}
+
+/// ", 120 per second, 3 s left"; what takes longer than a second is told by its duration.
+std::string pace_text(double each_s, std::int64_t left) {
+  const std::string pace = each_s < 1 ? with("%.0f per second", 1 / each_s) : with("%.1f s each", each_s);
+  return ", " + pace + ", " + duration_text(each_s * static_cast<double>(left)) + " left";
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine(std::string unit, bool quiet)
@@ -24,9 +42,9 @@ void ProgressLine::update(std::int64_t done, std::int64_t total) {
   if (!shown_ || now - last_ < pause_between_updates) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  const double rate = static_cast<double>(done) / seconds;
-  std::fprintf(stderr, "%s%lld of %lld %s, %.0f per second, %.0f s left", wipe_line, static_cast<long long>(done),
-               static_cast<long long>(total), unit_.c_str(), rate, static_cast<double>(total - done) / rate);
+  const std::string pace = done > 0 ? pace_text(seconds / static_cast<double>(done), total - done) : std::string();
+  std::fprintf(stderr, "%s%lld of %lld %s%s", wipe_line, static_cast<long long>(done), static_cast<long long>(total),
+               unit_.c_str(), pace.c_str());
   std::fflush(stderr);
 }
 

@@ -1,33 +1,19 @@
 #include "cli/run_output.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
 #include "golden/hex.h"
+#include "lab/csv.h"
 
 namespace proofreel {
 namespace {
-
-/// The shortest text that reads back as the same number, in every locale.
-std::string exact(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
 
 std::string rounded(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.9g", value);
   return text.data();
-}
-
-/// As RFC 4180 wants it.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out.append(c == '"' ? 2 : 1, c);
-  return out.append("\"");
 }
 
 std::string line_of(const MeasureResult& measure) {
@@ -100,7 +86,7 @@ Json json_of(const RunReport& report, const std::vector<std::string>& warnings, 
 
 std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples) {
   std::string text("t");
-  for (const Measure& measure : scenario.measures) text.append(",").append(quoted(measure.name));
+  for (const Measure& measure : scenario.measures) text.append(",").append(csv_quoted(measure.name));
   text += "\n";
   for (const Sample& sample : samples) {
     text += exact(static_cast<double>(sample.tick) / scenario.scene.rate);

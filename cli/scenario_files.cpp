@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "render/usage_error.h"
 
@@ -13,6 +14,12 @@ namespace fs = std::filesystem;
 bool is_scenario(const fs::path& path) {
   std::error_code error;
   return path.extension() == ".lua" && fs::is_regular_file(path, error);
+}
+
+/// Whether a file below `folder` lies in a folder called `include` there.
+bool is_included(const fs::path& path, const fs::path& folder) {
+  const fs::path below = path.parent_path().lexically_relative(folder);
+  return std::find(below.begin(), below.end(), "include") != below.end();
 }
 
 }  // namespace
@@ -39,13 +46,28 @@ std::vector<std::string> scenario_files_in(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw UsageError("There is no folder " + folder + ".");
   std::vector<std::string> files;
-  for (auto entry = fs::recursive_directory_iterator(folder, error); entry != fs::recursive_directory_iterator();
-       entry.increment(error)) {
-    if (entry->path().filename() == "include") entry.disable_recursion_pending();
-    if (is_scenario(entry->path())) files.push_back(entry->path().string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+    if (is_scenario(entry.path()) && !is_included(entry.path(), folder)) files.push_back(entry.path().string());
   }
   if (files.empty()) throw UsageError("There is no scenario (.lua) in " + folder + ".");
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> scenario_files_meant(const std::vector<std::string>& named, const std::string& folder) {
+  if (named.empty()) return scenario_files_in(folder);
+  std::vector<std::string> files;
+  std::set<fs::path> seen;
+  const auto add = [&](const std::string& file) {
+    if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
+  };
+  for (const std::string& name : named) {
+    if (!fs::is_directory(name)) {
+      add(scenario_file(name));
+      continue;
+    }
+    for (const std::string& file : scenario_files_in(name)) add(file);
+  }
   return files;
 }
 

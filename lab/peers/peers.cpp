@@ -65,6 +65,12 @@ Problem problem_with_forces(Peer peer, const Scene& scene) {
 
 const char* name_of(Peer peer) { return peer == Peer::box2d ? "Box2D" : "Chipmunk"; }
 
+std::optional<Peer> peer_named(std::string_view name) {
+  if (name == "box2d") return Peer::box2d;
+  if (name == "chipmunk") return Peer::chipmunk;
+  return std::nullopt;
+}
+
 std::string sentence(Peer peer, const BodyDef& body, std::size_t number, const std::string& clause) {
   const std::string called = body.name.empty() ? std::to_string(number) : '"' + body.name + '"';
   return std::string(name_of(peer)) + " cannot step body " + called + ": " + clause;

@@ -25,6 +25,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "engine/simulation.h"
 
@@ -34,6 +35,8 @@ enum class Peer : std::uint8_t { box2d, chipmunk };
 
 /// "Box2D", "Chipmunk".
 const char* name_of(Peer peer);
+/// By the names of the command line, "box2d" and "chipmunk".
+std::optional<Peer> peer_named(std::string_view name);
 
 /// Why a peer cannot step the scene, as a sentence that names the body or joint; nothing when it can.
 std::optional<std::string> problem_for_peer(Peer peer, const Scene& scene);

@@ -1,0 +1,82 @@
+#pragma once
+
+/// What is the same in every page: its style and the script that sorts its tables.
+
+namespace proofreel {
+
+inline constexpr const char* page_style = R"css(
+:root { color-scheme: light dark; --paper: #fbfaf6; --ink: #1f2a36; --quiet: #56616d; --line: #d6d3ca; --head: #f1efe8;
+  --link: #0b5394; --frame: #1f2a36;
+  --stands: #cde9e3; --stands-ink: #12302b; --degrades: #f0be52; --degrades-ink: #2b1f04; --fails: #9b332b;
+  --fails-ink: #ffffff; --slow: #e3e6ea; --slow-ink: #2b3440; --none: transparent; --none-ink: #56616d; }
+@media (prefers-color-scheme: dark) { :root { --paper: #17222e; --ink: #eaf0f5; --quiet: #a6b4c1; --line: #3a4c5e;
+  --head: #223140; --link: #8cc4ff; --frame: #ffffff;
+  --stands: #1d4f48; --stands-ink: #dff5f0; --degrades: #c99a35; --degrades-ink: #1b1302; --fails: #f09a8c;
+  --fails-ink: #2a0805; --slow: #34424f; --slow-ink: #dbe3ea; --none: transparent; --none-ink: #a6b4c1; } }
+@media print { :root { --paper: #ffffff; --ink: #000000; } .scroll { overflow: visible; max-height: none; }
+  thead { position: static; } th button { padding: 0; } }
+* { box-sizing: border-box; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+body { margin: 0 auto; padding: 1.5rem clamp(1rem, 3vw, 3rem) 4rem; background: var(--paper); color: var(--ink);
+  font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; font-variant-numeric: tabular-nums; }
+h1 { font-size: 1.8rem; margin: 0 0 .3rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
+p { max-width: 75ch; margin: .4rem 0; } .quiet { color: var(--quiet); } a { color: var(--link); }
+pre { padding: .6rem .8rem; background: var(--head); border: 1px solid var(--line); border-radius: 6px;
+  overflow-x: auto; font: 14px/1.4 ui-monospace, "DejaVu Sans Mono", monospace;
+  white-space: pre-wrap; overflow-wrap: anywhere; }
+.scroll { overflow: auto; max-height: 94vh; padding: 0 8px 8px 0; }
+.scroll:focus-visible { outline: 2px solid var(--link); }
+thead { position: sticky; top: 0; z-index: 3; background: var(--paper); }
+table { border-collapse: separate; border-spacing: 3px; }
+th { font-weight: 600; text-align: center; background: var(--head); border-radius: 4px; padding: .25rem .4rem; }
+th[scope=row] { text-align: left; white-space: nowrap; position: sticky; left: 0; z-index: 2; }
+th small { color: var(--quiet); display: block; font-weight: 400; }
+th[scope=row] small { max-width: 17rem; overflow: hidden; text-overflow: ellipsis; }
+th button { font: inherit; color: inherit; background: none; border: 0; width: 100%; padding: .15rem; cursor: pointer; }
+th[aria-sort=ascending] button::after { content: " \2191"; }
+th[aria-sort=descending] button::after { content: " \2193"; }
+a:focus-visible, button:focus-visible, summary:focus-visible, span:focus-visible { outline: 2px solid var(--link);
+  position: relative; z-index: 1; }
+td { text-align: right; white-space: nowrap; padding: .25rem .5rem; border-radius: 4px; }
+td.words { text-align: left; white-space: normal; max-width: 60ch; }
+td.words, .plain td { border-bottom: 1px solid var(--line); border-radius: 0; }
+.runs td, .key { min-width: 3.7rem; padding: 0; text-align: center; }
+.runs td > *, .key { display: block; padding: .3rem .3rem .35rem; line-height: 1.2; }
+.runs td > * { color: inherit; text-decoration: none; }
+.runs a:hover b { text-decoration: underline; } .runs b { font-weight: 500; display: block; min-height: 1.2em; }
+.sign { font-size: 1.15em; }
+.stands { background: var(--stands); color: var(--stands-ink); }
+.degrades { background: var(--degrades); color: var(--degrades-ink); }
+.fails { background: var(--fails); color: var(--fails-ink); }
+.too-slow { background: var(--slow); color: var(--slow-ink); }
+.not-offered { background: var(--none); color: var(--none-ink); box-shadow: inset 0 0 0 1px var(--line); }
+.best { box-shadow: inset 0 0 0 3px var(--frame); }
+.legend { display: flex; flex-wrap: wrap; gap: .4rem 1.4rem; list-style: none; padding: .6rem 0; margin: 0; }
+.legend li { display: flex; align-items: center; gap: .5rem; } .legend .key { min-width: 2.4rem; border-radius: 4px;
+  text-align: center; }
+details { margin: .5rem 0; } summary { cursor: pointer; font-weight: 600; }
+.vh { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+)css";
+
+/// Every button in a heading sorts its table's rows by its column: first upwards, then downwards. What has no number
+/// comes last.
+inline constexpr const char* page_script = R"js(
+for (const button of document.querySelectorAll('th button')) {
+  button.addEventListener('click', () => {
+    const th = button.closest('th'), table = th.closest('table'), column = Number(button.dataset.column);
+    const down = th.getAttribute('aria-sort') === 'ascending';
+    for (const other of table.querySelectorAll('th[aria-sort]')) other.removeAttribute('aria-sort');
+    th.setAttribute('aria-sort', down ? 'descending' : 'ascending');
+    const value = row => row.cells[column].dataset.sort ?? row.cells[column].textContent;
+    const compare = (a, b) => {
+      const x = value(a), y = value(b);
+      if (x === '' || y === '') return (x === '') - (y === '');
+      const order = isNaN(x) || isNaN(y) ? x.localeCompare(y) : x - y;
+      return down ? -order : order;
+    };
+    const body = table.tBodies[0];
+    body.append(...[...body.rows].sort(compare));
+  });
+}
+)js";
+
+}  // namespace proofreel
