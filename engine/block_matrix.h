@@ -28,9 +28,9 @@ class BlockMatrixOf {
   void resize(const std::vector<int>& rows);
   void clear();
   /// How many equations there are now.
-  int size() const { return first_.back(); }
-  /// The number of equation 0 of block i.
-  int first(int i) const { return first_[at(i)]; }
+  int size() const { return panels_.back().first; }
+  /// The number of equation 0 of block i; of the one behind the last block, how many there are.
+  int first(int i) const { return panels_[at(i)].first; }
 
   /// One block of the lower triangle, for filling it.
   struct Block {
@@ -44,8 +44,8 @@ class BlockMatrixOf {
   int place_of(int row, int column) const;
   /// On the diagonal only what is on or below it counts.
   Block block(int place) {
-    const std::size_t column = at(column_[at(place)]);
-    return {values_.data() + panel_[column] + offset_[at(place)], at(height_[column])};
+    const Panel& panel = panels_[at(column_[at(place)])];
+    return {values_.data() + panel.begin + offset_[at(place)], at(panel.height)};
   }
   /// Multiplies the diagonal.
   void stretch_diagonal(T factor);
@@ -57,15 +57,26 @@ class BlockMatrixOf {
   void solve(std::vector<T>& x) const;
 
  private:
+  /// The blocks of one column, from the diagonal one down, as a dense matrix stored by columns.
+  struct Panel {
+    int first = 0;          ///< number of the block's first equation
+    int width = 0;          ///< of the block, in equations
+    int height = 0;         ///< of the panel
+    std::size_t begin = 0;  ///< in `values_`
+    std::size_t list = 0;   ///< where in `equations_` the numbers of its rows begin
+  };
+
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  int rows_of(int i) const { return first_[at(i) + 1] - first_[at(i)]; }
-  void find_runs(const std::vector<int>& most_rows);
+  const int* equations_of(const Panel& panel) const { return equations_.data() + panel.list; }
+  void find_runs();
   void subtract_what_follows_from(int place);
   void subtract_in_runs(int place);
-  void take_updates(int column);
-  T factor_panel(int column);
-  void spread(int column, T* x) const;
-  void gather(int column, T* x) const;
+  void take_updates(const Panel& panel);
+  T factor_panel(const Panel& panel);
+  void spread(const Panel& panel, T* x) const;
+  void spread_in_runs(int column, T* x) const;
+  void gather(const Panel& panel, T* x) const;
+  void gather_in_runs(int column, T* x) const;
   template <typename Visit>
   void for_each_run(int place, int skip, Visit&& visit) const;
 
@@ -78,12 +89,9 @@ class BlockMatrixOf {
   std::vector<std::vector<int>> beside_;  ///< of each block row, the places left of the diagonal
 
   // Sizes.
-  std::vector<int> first_;          ///< number of each block's first equation, and how many there are
-  std::vector<std::size_t> panel_;  ///< where the panel of each column begins
-  std::vector<int> height_;         ///< of each panel, in rows
-  std::vector<int> offset_;         ///< of each place in its panel, in rows
-  std::vector<std::size_t> list_;   ///< where in `equations_` those of each panel begin
-  std::vector<int> equations_;      ///< the numbers of all rows of all panels
+  std::vector<Panel> panels_;   ///< and one behind the last
+  std::vector<int> offset_;     ///< of each place in its panel, in rows
+  std::vector<int> equations_;  ///< the numbers of all rows of all panels
 
   std::vector<T> values_;
   std::vector<T> pivot_;

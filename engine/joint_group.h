@@ -7,24 +7,28 @@
 /// Rows with bounds (stops, ropes, motors) are solved by active sets: the system is solved with the rows that hold at
 /// present, a row whose impulse leaves its bounds lets go (or gives all it has), a row that would be violated holds
 /// again, until nothing changes. All that want to change do so at once; should that go round in circles, then only the
-/// first one does, which is known to end (Murty 1974; together as Judice and Pires 1994).
+/// first one does, which is known to end (Murty 1974; together as Judice and Pires 1994). Rows that do not hold have no
+/// place in the system: a stop costs next to nothing until it is reached.
 
+#include <array>
 #include <limits>
+#include <span>
 
+#include "engine/block_matrix.h"
 #include "engine/joint_rows.h"
-#include "engine/skyline.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
 class JointGroup {
  public:
-  /// `ids` in the order in which their rows shall be numbered: neighbours close together.
+  JointGroup() = default;
+  /// `ids` in the order in which their rows shall be eliminated: leaves first.
   JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<Joint>& joints,
              const std::vector<Motion>& motions, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
-  /// Multiplications that solving it takes, about.
-  double work() const { return matrix_.work(); }
+  /// Solving it would take too many multiplications: it is a large net, and of no use as a group.
+  bool too_dense() const { return too_dense_; }
   std::uint32_t first_joint() const { return rows_.front().joint; }
   /// Joints of one group sleep together.
   bool acts(const std::vector<Joint>& joints) const { return joints[rows_.front().joint].acts; }
@@ -62,6 +66,7 @@ class JointGroup {
     bool on = true;        ///< it is part of the system
     bool touched = false;  ///< one-sided: it held at the start of the velocity stage
     int at_bound = 0;      ///< driven: gives all it has, forwards (1) or backwards (-1)
+    real value = 0;        ///< C at the start of this substep
     real goal = 0;         ///< what is left of C after this substep
     real miss = 0;         ///< by how much C would end beside the goal
     real scale = 1;        ///< what `miss` is measured by
@@ -69,28 +74,63 @@ class JointGroup {
     real pushed = 0;       ///< impulse of the velocity stage
     real pushed_before = 0;
     real speed_before = 0;  ///< driven: when its impulse began to act
+    real given = 0;         ///< impulse of this substep
     real total = 0;         ///< impulse since work was last taken
   };
-  /// Two rows that move a common body: the body's contribution to their matrix entry.
+  /// The rows of one joint: a block of the matrix.
+  struct Link {
+    std::uint32_t joint = 0;
+    int first_row = 0;
+    int row_count = 0;
+    int place_a = 0;  ///< of its bodies in `seen_`
+    int place_b = 0;
+  };
+  /// One body as a joint moves it.
+  struct Side {
+    int link = 0;
+    std::size_t side = 0;  ///< a and b of the first term of its rows, a and b of the second
+  };
+  /// Two joints that move a common body: the body's contribution to a block of the matrix.
   struct Coupling {
-    int row = 0;
-    int column = 0;
+    Side row;
+    Side column;
     BodyIndex body = 0;
-    std::uint8_t row_term = 0;
-    std::uint8_t column_term = 0;
-    bool row_is_b = false;
-    bool column_is_b = false;
+    int place = 0;  ///< of the block
   };
 
+  /// How a row pushes a body: along a direction and by an arm.
+  struct Lever {
+    Vec2 direction;
+    real arm = 0;
+  };
+  struct InverseMass {
+    real inv_mass = 0;
+    real inv_inertia = 0;
+  };
+
+  void add_link(std::uint32_t id, const std::vector<Joint>& joints, RowsWanted wanted);
+
+  // The system (joint_group_system.cpp).
   void couple(const std::vector<Motion>& motions);
-  real entry(const Coupling& k, const std::vector<Motion>& motions) const;
+  void plan_matrix();
+  void switch_row(Row& row, bool on);
+  void number_rows();
   void assemble(const std::vector<Motion>& motions);
+  void find_levers();
   void fill(const std::vector<Motion>& motions);
   real factor_with(real give);
   /// The system of the rows that hold in this stage; factored anew only where something has changed.
   void prepare(const JointedBodies& scene, bool for_velocities);
   bool holds(const Row& row, const JointedBodies& scene, bool for_velocities) const;
+  /// Since the system was factored. (A tick begins where the last one ended: mostly its system serves on.)
+  bool masses_changed(const std::vector<Motion>& motions) const;
 
+  std::span<Row> rows_of(const Link& link) {
+    return {rows_.data() + link.first_row, static_cast<std::size_t>(link.row_count)};
+  }
+  /// The row with this number in the system.
+  Row& on_row(std::size_t k) { return rows_[static_cast<std::size_t>(on_[k])]; }
+  const Row& on_row(std::size_t k) const { return rows_[static_cast<std::size_t>(on_[k])]; }
   RowMemory& memory(const Row& row, const JointedBodies& scene) const {
     return scene.joints[row.joint].memory[row.slot];
   }
@@ -98,6 +138,7 @@ class JointGroup {
   void begin_motors(const JointedBodies& scene, real h, real share);
   void book_begun(const JointedBodies& scene);
   void apply(Row& row, real impulse, const JointedBodies& scene) const;
+  void book_reactions(const JointedBodies& scene);
 
   // Positions (joint_group_positions.cpp).
   void set_goals(const JointedBodies& scene, real h);
@@ -110,21 +151,33 @@ class JointGroup {
 
   // Velocities (joint_group_velocities.cpp).
   void solve_bounded_velocities(const JointedBodies& scene, real h);
-  bool any_bounded_row_on() const;
+  void note_speeds(const JointedBodies& scene);
+  void book_motors(const JointedBodies& scene);
   void find_corrections(const JointedBodies& scene);
   void apply_corrections(const JointedBodies& scene);
   bool bound_corrections(const JointedBodies& scene, real h, bool one_at_a_time);
   bool engage_overrun_rows(const JointedBodies& scene, real h, bool one_at_a_time);
 
   std::vector<Row> rows_;
+  std::vector<Link> links_;    ///< in the order of their rows
+  std::vector<int> bounded_;   ///< the rows that have bounds
+  std::vector<int> on_;        ///< the rows that the system was made of, in its order
+  std::vector<int> links_on_;  ///< how many of them each link has
   std::vector<BodyIndex> bodies_;
+  std::vector<BodyIndex> seen_;             ///< these, and what they hang on
+  std::vector<Motion> ahead_;               ///< where all that is seen will be
+  std::vector<InverseMass> factored_with_;  ///< of `bodies_`, when the system was factored
   std::vector<Coupling> couplings_;
-  SkylineMatrix matrix_;
-  std::vector<real> right_side_;
-  bool stale_ = true;       ///< directions have changed since the system was factored
+  BlockMatrix matrix_;
+  std::vector<std::array<Lever, 4>> levers_;  ///< of the rows of the system, by side
+  std::vector<real> right_side_;              ///< by the numbers of the system
+  bool too_dense_ = false;
+  bool renumber_ = true;    ///< other rows hold than when the system was made
+  bool stale_ = true;       ///< directions or masses have changed since the system was factored
   bool redundant_ = false;  ///< some rows follow from the others
   bool strained_ = false;   ///< a kinematic body pulls its joints apart in this substep
-  int one_sided_ = 0;       ///< how many rows are
+  int equal_ = 0;           ///< how many rows are
+  int one_sided_ = 0;
   int driven_ = 0;
   double work_ = 0;
 };

@@ -20,16 +20,12 @@ constexpr real closing_rate = 4;
 }  // namespace
 
 void JointGroup::set_goals(const JointedBodies& scene, real h) {
-  JointPlace place;
-  const Joint* placed = nullptr;
-  for (Row& row : rows_) {
-    const Joint& joint = scene.joints[row.joint];
-    if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
-    placed = &joint;
-    const real now = value_of(row.plan, joint, place, scene, 0);
-    const real most = closing_rate * joint.size * std::abs(h);  // suzuki4 steps backwards, too
-    const bool free_to_part = row.plan.bound == Bound::at_least && now > 0;
-    row.goal = std::abs(now) > most && !free_to_part ? now - std::copysign(most, now) : 0;
+  for (const Link& link : links_) {
+    const real most = closing_rate * scene.joints[link.joint].size * std::abs(h);  // suzuki4 steps backwards, too
+    for (Row& row : rows_of(link)) {
+      const bool free_to_part = row.plan.bound == Bound::at_least && row.value > 0;
+      row.goal = std::abs(row.value) > most && !free_to_part ? row.value - std::copysign(most, row.value) : 0;
+    }
   }
 }
 
@@ -37,25 +33,22 @@ void JointGroup::set_goals(const JointedBodies& scene, real h) {
 /// that hold comes back, in units of its scale.
 real JointGroup::predict(const JointedBodies& scene, real h) {
   real worst = 0;
-  JointPlace place;
-  const Joint* placed = nullptr;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    Row& row = rows_[r];
-    right_side_[r] = 0;
-    if (row.plan.bound == Bound::driven) continue;
-    const Joint& joint = scene.joints[row.joint];
-    if (placed != &joint) {
-      Motion a = scene.motions[joint.body_a];
-      Motion b = scene.motions[joint.body_b];
-      drift(a, h);
-      drift(b, h);
-      place = place_of(joint, scene.bodies, a, b);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    ahead_[i] = scene.motions[seen_[i]];
+    drift(ahead_[i], h);
+  }
+  for (const Link& link : links_) {
+    const Joint& joint = scene.joints[link.joint];
+    const JointPlace place = place_of(joint, scene.bodies, ahead_[static_cast<std::size_t>(link.place_a)],
+                                      ahead_[static_cast<std::size_t>(link.place_b)]);
+    for (Row& row : rows_of(link)) {
+      if (row.plan.bound == Bound::driven) continue;
+      row.miss = value_of(row.plan, joint, place, scene, h) - row.goal;
+      if (!row.on) continue;
+      right_side_[number++] = -row.miss / h;
+      worst = std::max(worst, std::abs(row.miss) / row.scale);
     }
-    placed = &joint;
-    row.miss = value_of(row.plan, joint, place, scene, h) - row.goal;
-    if (!row.on) continue;
-    right_side_[r] = -row.miss / h;
-    worst = std::max(worst, std::abs(row.miss) / row.scale);
   }
   return worst;
 }
@@ -65,10 +58,9 @@ bool JointGroup::iterate(const JointedBodies& scene, real h) {
   real miss = predict(scene, h);
   for (int step = 0; step < max_newton_steps && miss > row_tolerance; ++step) {
     matrix_.solve(right_side_);
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      if (!rows_[r].on) continue;
-      memory(rows_[r], scene).impulse += right_side_[r];
-      apply(rows_[r], right_side_[r], scene);
+    for (std::size_t k = 0; k < on_.size(); ++k) {
+      memory(on_row(k), scene).impulse += right_side_[k];
+      apply(on_row(k), right_side_[k], scene);
     }
     const real next = predict(scene, h);
     if (!(next < miss)) break;
@@ -95,13 +87,15 @@ void JointGroup::solve_positions(const JointedBodies& scene, real h) {
 /// One-sided rows that pull let go, those that would be overrun hold. False when none had to change.
 bool JointGroup::settle_positions(const JointedBodies& scene, bool one_at_a_time) {
   bool changed = false;
-  for (Row& row : rows_) {
+  for (const int r : bounded_) {
+    Row& row = rows_[static_cast<std::size_t>(r)];
     if (row.plan.bound != Bound::at_least || (changed && one_at_a_time)) continue;
     RowMemory& kept = memory(row, scene);
     if (row.on ? kept.impulse >= 0 : row.miss >= -row_tolerance * row.scale) continue;
     if (row.on) apply(row, -kept.impulse, scene);
     kept.impulse = 0;
-    kept.engaged = row.on = !row.on;
+    switch_row(row, !row.on);
+    kept.engaged = row.on;
     changed = true;
   }
   return changed;
@@ -131,28 +125,25 @@ void JointGroup::close_gently(const JointedBodies& scene, real h) {
   strained_ = has_mover(scene);
   if (strained_) assemble(scene.motions);
   do {
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      const Row& row = rows_[r];
-      const Joint& joint = scene.joints[row.joint];
-      const real open = value_of(row.plan, joint, place_of(joint, scene.bodies, scene.motions), scene, 0);
-      const real most = closing_rate * joint.size;
-      const real closing = std::clamp(real(0.1) * open / h, -most, most);
-      right_side_[r] = row.on ? -speed_of(row.terms, scene.motions) - closing : 0;
+    for (std::size_t k = 0; k < on_.size(); ++k) {
+      const Row& row = on_row(k);
+      const real most = closing_rate * scene.joints[row.joint].size;
+      const real closing = std::clamp(real(0.1) * row.value / h, -most, most);
+      right_side_[k] = -speed_of(row.terms, scene.motions) - closing;
     }
     matrix_.solve(right_side_);
   } while (drop_pulling_rows(scene));
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (rows_[r].on) apply(rows_[r], right_side_[r], scene);
-  }
+  for (std::size_t k = 0; k < on_.size(); ++k) apply(on_row(k), right_side_[k], scene);
 }
 
 /// Rows leave and none comes back, so that this ends.
 bool JointGroup::drop_pulling_rows(const JointedBodies& scene) {
   bool changed = false;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    Row& row = rows_[r];
-    if (row.plan.bound != Bound::at_least || !row.on || right_side_[r] >= 0) continue;
-    memory(row, scene).engaged = row.on = false;
+  for (std::size_t k = 0; k < on_.size(); ++k) {
+    Row& row = on_row(k);
+    if (row.plan.bound != Bound::at_least || right_side_[k] >= 0) continue;
+    switch_row(row, false);
+    memory(row, scene).engaged = false;
     changed = true;
   }
   if (changed) assemble(scene.motions);

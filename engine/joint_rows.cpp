@@ -122,13 +122,6 @@ real strongest(const RowPlan& plan, const Joint& joint) {
   return carries ? joint.max_force : joint.motor->strongest;
 }
 
-void push_joint(Joint& joint, const Terms& terms, real impulse, std::vector<Motion>& motions) {
-  push(terms, impulse, motions);
-  const Term& on_b = terms.terms[terms.count - 1];
-  joint.impulse += impulse * on_b.direction;
-  if (on_b.direction == Vec2{}) joint.twist += impulse * on_b.arm_b;
-}
-
 double work_of_movers(const Terms& terms, real impulse, const JointedBodies& scene) {
   const auto is_mover = [&](BodyIndex body) { return scene.bodies[body].type == BodyType::kinematic; };
   double work = 0;

@@ -53,6 +53,8 @@ struct Term {
   Vec2 direction;  ///< of the force on b
   real arm_a = 0;  ///< torque about the centre of mass per unit of force, a's with the opposite sign
   real arm_b = 0;
+
+  bool operator==(const Term&) const = default;
 };
 
 inline real speed_of(const Term& t, const std::vector<Motion>& motions) {
@@ -74,6 +76,10 @@ inline void push(const Term& t, real impulse, std::vector<Motion>& motions) {
 struct Terms {
   Term terms[2];
   int count = 1;
+
+  bool operator==(const Terms& other) const {
+    return count == other.count && terms[0] == other.terms[0] && (count == 1 || terms[1] == other.terms[1]);
+  }
 };
 
 inline real speed_of(const Terms& terms, const std::vector<Motion>& motions) {
@@ -82,7 +88,8 @@ inline real speed_of(const Terms& terms, const std::vector<Motion>& motions) {
 }
 
 inline void push(const Terms& terms, real impulse, std::vector<Motion>& motions) {
-  for (int t = 0; t < terms.count; ++t) push(terms.terms[t], impulse, motions);
+  push(terms.terms[0], impulse, motions);
+  if (terms.count > 1) push(terms.terms[1], impulse, motions);
 }
 
 /// dC/dt of a row, from where the joint stands.
@@ -96,8 +103,12 @@ real wanted_speed(const RowPlan& plan, const Joint& joint);
 /// The most that a driven row may give, N or N m.
 real strongest(const RowPlan& plan, const Joint& joint);
 
-/// Applies a row's impulse, which the joint keeps for its reaction.
-void push_joint(Joint& joint, const Terms& terms, real impulse, std::vector<Motion>& motions);
+/// The joint keeps a row's impulse for its reaction.
+inline void book_reaction(Joint& joint, const Terms& terms, real impulse) {
+  const Term& on_b = terms.terms[terms.count - 1];
+  joint.impulse += impulse * on_b.direction;
+  if (on_b.direction == Vec2{}) joint.twist += impulse * on_b.arm_b;
+}
 
 /// A kinematic body goes its way whatever pushes back: what it pushes the others with is work, J.
 double work_of_movers(const Terms& terms, real impulse, const JointedBodies& scene);

@@ -9,10 +9,6 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-/// Multiplications for one factorisation that a group may take: a net of 25 by 25 pins is about there, a chain of ten
-/// thousand links far below.
-constexpr double most_work = 2e7;
-
 /// Which joints hold which moving bodies, both ways.
 class JointGraph {
  public:
@@ -33,8 +29,8 @@ class JointGraph {
     }
   }
 
-  /// Groups of joints that hang together, each in an order that keeps neighbours close, by breadth-first search from an
-  /// end of each chain (Cuthill and McKee 1969).
+  /// Groups of joints that hang together, each from its leaves to its root and with neighbours close together:
+  /// breadth-first search from an end of each chain (Cuthill and McKee 1969), read backwards (George 1971).
   std::vector<Ids> groups() const {
     Ids starts = joints_;
     std::stable_sort(starts.begin(), starts.end(), [this](auto i, auto j) { return degree(i) < degree(j); });
@@ -64,6 +60,7 @@ class JointGraph {
         }
       }
     }
+    std::reverse(group.begin(), group.end());
     return group;
   }
 
@@ -91,8 +88,9 @@ void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Mo
   groups_.clear();
   asleep_.clear();
   for (const Ids& ids : JointGraph(joints, motions).groups()) {
-    JointGroup group(ids, joints, motions, wanted);
-    if (method_ == JointMethod::iterative || group.work() > most_work) {
+    JointGroup group;
+    if (method_ == JointMethod::direct) group = JointGroup(ids, joints, motions, wanted);
+    if (method_ == JointMethod::iterative || group.too_dense()) {
       swept_.insert(swept_.end(), ids.begin(), ids.end());
     } else if (!group.empty()) {
       groups_.push_back(std::move(group));

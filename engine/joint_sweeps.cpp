@@ -51,23 +51,24 @@ void JointSweeps::rebuild(const std::vector<Joint>& joints, const std::vector<st
 }
 
 void JointSweeps::linearize(const JointedBodies& scene) {
-  JointPlace place;
-  const Joint* placed = nullptr;
-  for (Row& row : rows_) {
-    const Joint& joint = scene.joints[row.joint];
-    if (placed != &joint) place = place_of(joint, scene.bodies, scene.motions);
-    placed = &joint;
-    row.terms = terms_of(row.plan, joint, place, scene);
-    row.value = row.plan.bound == Bound::driven ? 0 : value_of(row.plan, joint, place, scene, 0);
-    const real response = response_of(row.terms, scene.motions);
-    row.mass = response > 0 ? 1 / response : 0;
+  for (auto row = rows_.begin(); row != rows_.end();) {
+    const std::uint32_t number = row->joint;
+    const Joint& joint = scene.joints[number];
+    const JointPlace place = place_of(joint, scene.bodies, scene.motions);
+    for (; row != rows_.end() && row->joint == number; ++row) {
+      row->terms = terms_of(row->plan, joint, place, scene);
+      row->value = row->plan.bound == Bound::driven ? 0 : value_of(row->plan, joint, place, scene, 0);
+      const real response = response_of(row->terms, scene.motions);
+      row->mass = response > 0 ? 1 / response : 0;
+    }
   }
 }
 
 void JointSweeps::apply(Row& row, real impulse, const JointedBodies& scene) {
   const bool driven = row.plan.bound == Bound::driven;
   const real before = driven ? speed_of(row.terms, scene.motions) : 0;
-  push_joint(scene.joints[row.joint], row.terms, impulse, scene.motions);
+  push(row.terms, impulse, scene.motions);
+  book_reaction(scene.joints[row.joint], row.terms, impulse);
   if (driven) work_ += static_cast<double>(impulse * real(0.5) * (before + speed_of(row.terms, scene.motions)));
   row.given += impulse;
   row.total += impulse;

@@ -154,7 +154,8 @@ void BroadPhase::exchange(Archive& archive, Self& broad_phase) {
 
 template <typename Archive, typename Self>
 void JointGroup::exchange(Archive& archive, Self& group) {
-  [[maybe_unused]] auto& [rows, bodies, couplings, matrix, right_side, stale, redundant, strained, one_sided, driven,
+  [[maybe_unused]] auto& [rows, links, bounded, on, links_on, bodies, seen, ahead, factored_with, couplings, matrix,
+                          levers, right_side, too_dense, renumber, stale, redundant, strained, equal, one_sided, driven,
                           work] = group;
   archive(redundant, strained);
 }

@@ -1,0 +1,177 @@
+// The linear system of a group: which rows are in it, and its factors.
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/joint_group.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// Where joints contradict each other, nearly singular rows would ask for any impulse to win the last nanometre. So
+/// much give, relative to the row's own mass, keeps them finite; what it leaves open the next Newton step closes.
+constexpr real compliance = real(1e-6);
+/// The same where a moving kinematic body pulls joints apart that cannot follow: no force however large helps, and one
+/// in proportion does not hurl about what is pulled in vain. (Fixed bodies do no work, so they need no such care.)
+constexpr real strained_compliance = real(3e-2);
+/// Rows that depend on others (loops with more joints than it takes) show as pivots of little but compliance. Rounding
+/// and the turning of directions within a substep make them disagree a little; what they would ask for to settle that
+/// has to stay small, and Newton's method closes the rest.
+constexpr real redundant = real(2e-5);
+constexpr real redundant_compliance = real(1e-3);
+
+/// Multiplications for one factorisation that a group may take: a net of 25 by 25 pins is about there, a chain of ten
+/// thousand links far below.
+constexpr double most_work = 2e7;
+
+}  // namespace
+
+void JointGroup::couple(const std::vector<Motion>& motions) {
+  std::vector<std::pair<BodyIndex, Side>> sides;
+  for (int i = 0; i < static_cast<int>(links_.size()); ++i) {
+    const Terms& terms = rows_[static_cast<std::size_t>(links_[static_cast<std::size_t>(i)].first_row)].terms;
+    for (int t = 0; t < terms.count; ++t) {
+      sides.push_back({terms.terms[t].body_a, {i, static_cast<std::size_t>(2 * t)}});
+      sides.push_back({terms.terms[t].body_b, {i, static_cast<std::size_t>(2 * t + 1)}});
+    }
+  }
+  std::erase_if(sides,
+                [&](const auto& s) { return motions[s.first].inv_mass <= 0 && motions[s.first].inv_inertia <= 0; });
+  std::stable_sort(sides.begin(), sides.end(), [](const auto& s, const auto& t) { return s.first < t.first; });
+  for (std::size_t end = 0, begin = 0; begin < sides.size(); begin = end) {
+    const BodyIndex body = sides[begin].first;
+    bodies_.push_back(body);
+    factored_with_.emplace_back();
+    for (end = begin; end < sides.size() && sides[end].first == body; ++end) {
+      for (std::size_t other = begin; other <= end; ++other) {
+        const Coupling coupling{sides[end].second, sides[other].second, body, 0};
+        couplings_.push_back(coupling);
+        // A gear may hold the same body twice; then its two sides meet in both orders.
+        if (other != end && coupling.row.link == coupling.column.link) couplings_.push_back(coupling);
+      }
+    }
+  }
+  plan_matrix();
+}
+
+void JointGroup::plan_matrix() {
+  std::vector<std::vector<int>> below(links_.size());
+  for (const Coupling& k : couplings_) {
+    if (k.row.link != k.column.link) below[static_cast<std::size_t>(k.column.link)].push_back(k.row.link);
+  }
+  for (std::vector<int>& rows : below) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  }
+  for (const Link& link : links_) links_on_.push_back(link.row_count);
+  too_dense_ = !matrix_.plan(std::move(below), links_on_, most_work);
+  if (too_dense_) return;
+  for (Coupling& k : couplings_) k.place = matrix_.place_of(k.row.link, k.column.link);
+  number_rows();
+}
+
+bool JointGroup::masses_changed(const std::vector<Motion>& motions) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Motion& m = motions[bodies_[i]];
+    if (m.inv_mass != factored_with_[i].inv_mass || m.inv_inertia != factored_with_[i].inv_inertia) return true;
+  }
+  return false;
+}
+
+bool JointGroup::holds(const Row& row, const JointedBodies& scene, bool for_velocities) const {
+  if (row.plan.bound == Bound::equal) return true;
+  return row.plan.bound == Bound::driven ? for_velocities : memory(row, scene).engaged;
+}
+
+void JointGroup::prepare(const JointedBodies& scene, bool for_velocities) {
+  for (const int r : bounded_) {
+    Row& row = rows_[static_cast<std::size_t>(r)];
+    switch_row(row, holds(row, scene, for_velocities));
+    row.at_bound = 0;
+    row.touched = row.on;
+  }
+  if (stale_ || renumber_) assemble(scene.motions);
+}
+
+void JointGroup::switch_row(Row& row, bool on) {
+  renumber_ |= row.on != on;
+  row.on = on;
+}
+
+void JointGroup::number_rows() {
+  renumber_ = false;
+  on_.clear();
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const std::size_t before = on_.size();
+    for (int r = links_[i].first_row; r < links_[i].first_row + links_[i].row_count; ++r) {
+      if (rows_[static_cast<std::size_t>(r)].on) on_.push_back(r);
+    }
+    links_on_[i] = static_cast<int>(on_.size() - before);
+  }
+  right_side_.assign(on_.size(), 0);
+  levers_.resize(on_.size());
+  matrix_.resize(links_on_);
+}
+
+/// J M^-1 J^T, body by body.
+void JointGroup::fill(const std::vector<Motion>& motions) {
+  matrix_.clear();
+  for (const Coupling& k : couplings_) {
+    const Motion& m = motions[k.body];
+    const BlockMatrix::Block block = matrix_.block(k.place);
+    const int columns = matrix_.first(k.column.link);
+    const int rows = matrix_.first(k.row.link);
+    const int columns_end = matrix_.first(k.column.link + 1);
+    const int rows_end = matrix_.first(k.row.link + 1);
+    for (int r = rows; r < rows_end; ++r) {
+      const Lever& lever = levers_[static_cast<std::size_t>(r)][k.row.side];
+      const Vec2 speed = m.inv_mass * lever.direction;
+      const real spin = m.inv_inertia * lever.arm;
+      for (int c = columns; c < std::min(r + 1, columns_end); ++c) {
+        const Lever& other = levers_[static_cast<std::size_t>(c)][k.column.side];
+        block(r - rows, c - columns) += dot(other.direction, speed) + other.arm * spin;
+      }
+    }
+  }
+}
+
+/// How the rows that hold push the bodies on their sides.
+void JointGroup::find_levers() {
+  for (std::size_t k = 0; k < on_.size(); ++k) {
+    const Terms& terms = on_row(k).terms;
+    for (int t = 0; t < terms.count; ++t) {
+      const Term& term = terms.terms[t];
+      levers_[k][static_cast<std::size_t>(2 * t)] = {-term.direction, -term.arm_a};
+      levers_[k][static_cast<std::size_t>(2 * t + 1)] = {term.direction, term.arm_b};
+    }
+  }
+}
+
+/// A group that was redundant mostly still is: then the system for that is tried first.
+void JointGroup::assemble(const std::vector<Motion>& motions) {
+  stale_ = false;
+  if (renumber_) number_rows();
+  find_levers();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    factored_with_[i] = {motions[bodies_[i]].inv_mass, motions[bodies_[i]].inv_inertia};
+  }
+  if (redundant_ && !strained_) {
+    fill(motions);
+    if (factor_with(redundant_compliance) <= redundant_compliance + redundant) return;
+  }
+  fill(motions);
+  redundant_ = factor_with(strained_ ? strained_compliance : compliance) <= redundant;
+  if (strained_ || !redundant_) return;
+  fill(motions);
+  factor_with(redundant_compliance);
+}
+
+/// Returns how independent the rows are.
+real JointGroup::factor_with(real give) {
+  matrix_.stretch_diagonal(1 + give);
+  return matrix_.factor();
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
