@@ -97,7 +97,7 @@ void JointGroup::begin_substep(const JointedBodies& scene, real h, real share) {
     row.pushed = 0;
     if (row.plan.bound == Bound::at_least && !memory(row, scene).engaged) continue;
     // Forces that redundant joints exert on each other move nothing and would grow from substep to substep.
-    if (redundant_ && row.plan.bound != Bound::driven) memory(row, scene).impulse = 0;
+    if (redundant_ && !uneven_ && row.plan.bound != Bound::driven) memory(row, scene).impulse = 0;
     apply(row, row.plan.bound == Bound::driven ? row.begun : memory(row, scene).impulse, scene);
   }
 }

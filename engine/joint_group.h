@@ -41,8 +41,11 @@ class JointGroup {
   /// what rests on a driven body has to see its motor hold.
   /// Call before the contacts relax.
   void add_share(const JointedBodies& scene);
-  /// Changes velocities so that drifting for `h` ends on the joints.
-  void solve_positions(const JointedBodies& scene, real h);
+  /// Changes velocities so that drifting for `h` ends on the joints. True when joints were too far open for that: then
+  /// their bodies have been moved.
+  bool solve_positions(const JointedBodies& scene, real h);
+  /// Puts the bodies back to where they were when they were moved last, and forgets it.
+  void take_back_moves(std::vector<Motion>& motions);
   /// Changes velocities so that no joint is opening, and motors run at their speeds.
   void solve_velocities(const JointedBodies& scene, real h);
   /// The least change of velocities after which the rows that held in the last stage stand still: how the joints answer
@@ -141,13 +144,21 @@ class JointGroup {
   void book_reactions(const JointedBodies& scene);
 
   // Positions (joint_group_positions.cpp).
-  void set_goals(const JointedBodies& scene, real h);
+  bool set_goals(const JointedBodies& scene, real h);
   real predict(const JointedBodies& scene, real h);
   bool iterate(const JointedBodies& scene, real h);
   bool settle_positions(const JointedBodies& scene, bool one_at_a_time);
+  bool arrive_evenly(const JointedBodies& scene, real h);
   void close_gently(const JointedBodies& scene, real h);
   bool has_mover(const JointedBodies& scene) const;
   bool drop_pulling_rows(const JointedBodies& scene);
+
+  // Gaps (joint_group_closing.cpp).
+  real longest_way(const JointedBodies& scene) const;
+  bool close_by_moving(const JointedBodies& scene, real h);
+  void keep_goals(const JointedBodies& scene, real h);
+  void move_to_goals(const JointedBodies& scene);
+  void stiffen(const JointedBodies& scene);
 
   // Velocities (joint_group_velocities.cpp).
   void solve_bounded_velocities(const JointedBodies& scene, real h);
@@ -175,15 +186,20 @@ class JointGroup {
   bool renumber_ = true;    ///< other rows hold than when the system was made
   bool stale_ = true;       ///< directions or masses have changed since the system was factored
   bool redundant_ = false;  ///< some rows follow from the others
+  bool uneven_ = false;     ///< they seem to, but it is the masses that differ
   bool strained_ = false;   ///< a kinematic body pulls its joints apart in this substep
   int equal_ = 0;           ///< how many rows are
   int one_sided_ = 0;
   int driven_ = 0;
   double work_ = 0;
+  std::vector<Motion> moved_from_;  ///< its bodies, before joints were closed by moving them
 };
 
 /// What counts as nothing, relative to a row's scale.
 inline constexpr real row_tolerance = 32 * std::numeric_limits<real>::epsilon();
+
+/// A joint that starts torn is closed at this many times its own size per second, gently instead of within one substep.
+inline constexpr real closing_rate = 4;
 
 /// After so many rounds of active sets only one row changes at a time.
 inline constexpr int rounds_together = 8;

@@ -20,6 +20,9 @@ constexpr real strained_compliance = real(3e-2);
 /// has to stay small, and Newton's method closes the rest.
 constexpr real redundant = real(2e-5);
 constexpr real redundant_compliance = real(1e-3);
+/// For rows that only seem to depend on others, and how independent these are at least.
+constexpr real slight_compliance = real(1e-10);
+constexpr real independent = real(1e-8);
 
 /// Multiplications for one factorisation that a group may take: a net of 25 by 25 pins is about there, a chain of ten
 /// thousand links far below.
@@ -155,6 +158,11 @@ void JointGroup::assemble(const std::vector<Motion>& motions) {
   find_levers();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     factored_with_[i] = {motions[bodies_[i]].inv_mass, motions[bodies_[i]].inv_inertia};
+  }
+  if (uneven_ && !strained_) {
+    fill(motions);
+    uneven_ = factor_with(slight_compliance) > independent;
+    if (uneven_) return;
   }
   if (redundant_ && !strained_) {
     fill(motions);

@@ -84,6 +84,7 @@ void put_in_order(std::vector<JointGroup>& groups) {
 
 void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted) {
   wanted_ = wanted;
+  direct_.clear();
   swept_.clear();
   groups_.clear();
   asleep_.clear();
@@ -93,9 +94,11 @@ void JointSolver::rebuild(const std::vector<Joint>& joints, const std::vector<Mo
     if (method_ == JointMethod::iterative || group.too_dense()) {
       swept_.insert(swept_.end(), ids.begin(), ids.end());
     } else if (!group.empty()) {
+      direct_.insert(direct_.end(), ids.begin(), ids.end());
       groups_.push_back(std::move(group));
     }
   }
+  std::sort(direct_.begin(), direct_.end());
   std::sort(swept_.begin(), swept_.end());
   sweeps_.rebuild(joints, swept_, wanted);
   put_in_order(groups_);
@@ -130,14 +133,24 @@ void JointSolver::add_share(const JointedBodies& scene, real share) {
   sweeps_.add_share(scene, share);
 }
 
-void JointSolver::solve_positions(const JointedBodies& scene, real h) {
-  for (JointGroup& group : groups_) group.solve_positions(scene, h);
+bool JointSolver::solve_positions(const JointedBodies& scene, real h) {
+  bool moved = false;
+  for (JointGroup& group : groups_) moved |= group.solve_positions(scene, h);
   sweeps_.solve_positions(scene, h);
+  return moved;
+}
+
+void JointSolver::take_back_moves(std::vector<Motion>& motions) {
+  for (JointGroup& group : groups_) group.take_back_moves(motions);
 }
 
 void JointSolver::solve_velocities(const JointedBodies& scene, real h) {
   for (JointGroup& group : groups_) group.solve_velocities(scene, h);
   sweeps_.solve_velocities(scene, h);
+}
+
+real JointSolver::fastest_swing(const JointedBodies& scene, real dt) {
+  return tension_.fastest_swing(direct_, scene, dt);
 }
 
 double JointSolver::take_work(const JointedBodies& scene) {

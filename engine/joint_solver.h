@@ -11,6 +11,7 @@
 
 #include "engine/joint_group.h"
 #include "engine/joint_sweeps.h"
+#include "engine/joint_tension.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -19,7 +20,8 @@ inline namespace PROOFREEL_PRECISION {
 /// chains: their factors fill up, and the time they take grows with the fourth power of a net's side.
 class JointSolver {
  public:
-  explicit JointSolver(JointMethod method) : method_(method) {}
+  explicit JointSolver(JointMethod method)
+      : method_(method), sweeps_(method == JointMethod::direct ? sweeps_of_nets : SweepPlan{}) {}
   /// Groups and numbers the rows anew. Call when joints or bodies come or go.
   void rebuild(const std::vector<Joint>& joints, const std::vector<Motion>& motions, RowsWanted wanted);
   /// Lays the groups of sleepers aside and takes up those that have woken.
@@ -31,6 +33,10 @@ class JointSolver {
   /// How many rows are solved one by one although the method is direct.
   std::size_t rows_of_nets() const { return method_ == JointMethod::direct ? sweeps_.row_count() : 0; }
 
+  /// How fast the swings are that the direct solver has to follow, rad/s (joint_tension.h), by what its joints gave
+  /// during the last tick of `dt` seconds. Swept joints are soft and follow nothing.
+  real fastest_swing(const JointedBodies& scene, real dt);
+
   // One group of the direct solver: who is in it, and how it answers (joint_group.h).
   std::size_t group_count() const { return groups_.size(); }
   const std::vector<BodyIndex>& bodies_of(std::size_t group) const { return groups_[group].bodies(); }
@@ -40,7 +46,8 @@ class JointSolver {
   void linearize(const JointedBodies& scene);
   void begin_substep(const JointedBodies& scene, real h, real share);
   void add_share(const JointedBodies& scene, real share);
-  void solve_positions(const JointedBodies& scene, real h);
+  bool solve_positions(const JointedBodies& scene, real h);
+  void take_back_moves(std::vector<Motion>& motions);
   void solve_velocities(const JointedBodies& scene, real h);
   double take_work(const JointedBodies& scene);
   /// For archives (world_archive.cpp): what it remembers from tick to tick, its groups being made already.
@@ -50,10 +57,12 @@ class JointSolver {
  private:
   JointMethod method_;
   RowsWanted wanted_;
-  std::vector<JointGroup> groups_;    ///< direct
-  std::vector<JointGroup> asleep_;    ///< the groups of sleepers
-  std::vector<std::uint32_t> swept_;  ///< the joints that are solved row by row
+  std::vector<JointGroup> groups_;     ///< direct
+  std::vector<JointGroup> asleep_;     ///< the groups of sleepers
+  std::vector<std::uint32_t> direct_;  ///< the joints of all groups
+  std::vector<std::uint32_t> swept_;   ///< the joints that are solved row by row
   JointSweeps sweeps_;
+  JointTension tension_;
 };
 
 }  // namespace PROOFREEL_PRECISION

@@ -8,8 +8,7 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
-/// Gaps are closed by damped springs as stiff as a substep can carry, in oscillations per substep.
-constexpr real stiffness = real(0.125);
+/// Of the springs that close gaps.
 constexpr real damping_ratio = 2;
 
 /// What a row's speed changes by for a unit impulse along it. A gear may move one body by both of its terms.
@@ -103,18 +102,22 @@ void JointSweeps::solve(Row& row, const Softness& soft, const JointedBodies& sce
 }
 
 void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
-  const Softness soft = make_softness(stiffness / h, damping_ratio, h);
-  for (Row& row : rows_) solve(row, soft, scene, h);
+  const Softness soft = make_softness(plan_.stiffness / h, damping_ratio, h);
+  for (int i = 0; i < plan_.sweeps; ++i) {
+    for (Row& row : rows_) solve(row, soft, scene, h);
+  }
 }
 
 /// Backwards along the chains, so that neither end is favoured. A stop that has not been reached yet must not be braked
 /// for: it may only take back.
 void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
-  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-    const bool open_stop = row->plan.bound == Bound::at_least && row->value > 0;
-    if (!open_stop || row->given > 0) solve(*row, rigid, scene, h);
-    scene.joints[row->joint].memory[row->slot].impulse = row->given;
+  for (int i = 0; i < plan_.sweeps; ++i) {
+    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+      const bool open_stop = row->plan.bound == Bound::at_least && row->value > 0;
+      if (!open_stop || row->given > 0) solve(*row, rigid, scene, h);
+    }
   }
+  for (const Row& row : rows_) scene.joints[row.joint].memory[row.slot].impulse = row.given;
 }
 
 double JointSweeps::take_work(const JointedBodies& scene) {

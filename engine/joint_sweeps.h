@@ -11,8 +11,20 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
+/// How often a substep goes through the rows, before the drift and after it, and how stiff the springs are that close
+/// gaps, in oscillations per substep. What a spring gives under load falls with the square of its stiffness; but what
+/// it pushes too much has to be swept out again, and one sweep alone carries no more than 0.18 in the loops of a net.
+struct SweepPlan {
+  int sweeps = 1;
+  real stiffness = real(0.125);
+};
+/// Nets that are too large for the direct solver: under their load they open by an eighth, for up to twice the
+/// price.
+inline constexpr SweepPlan sweeps_of_nets{4, real(0.35)};
+
 class JointSweeps {
  public:
+  explicit JointSweeps(SweepPlan plan) : plan_(plan) {}
   /// Makes the rows of those of these joints that act. Call also when some fall asleep or wake.
   void rebuild(const std::vector<Joint>& joints, const std::vector<std::uint32_t>& ids, RowsWanted wanted);
   bool empty() const { return rows_.empty(); }
@@ -23,9 +35,9 @@ class JointSweeps {
   void begin_substep(const JointedBodies& scene, real share);
   /// Adds the other share before velocities are solved.
   void add_share(const JointedBodies& scene, real share);
-  /// One sweep that also closes gaps.
+  /// Sweeps that also close gaps.
   void solve_positions(const JointedBodies& scene, real h);
-  /// One sweep for the velocities alone.
+  /// Sweeps for the velocities alone.
   void solve_velocities(const JointedBodies& scene, real h);
   /// What motors and moving kinematic bodies have put in since the last call, J.
   double take_work(const JointedBodies& scene);
@@ -46,6 +58,7 @@ class JointSweeps {
   void solve(Row& row, const Softness& soft, const JointedBodies& scene, real h);
   void apply(Row& row, real impulse, const JointedBodies& scene);
 
+  SweepPlan plan_;
   std::vector<Row> rows_;
   double work_ = 0;
 };

@@ -32,6 +32,8 @@ World::World(const Scene& scene)
       rate_(scene.rate),
       dt_(real(1) / static_cast<real>(scene.rate)),
       h_(dt_ / static_cast<real>(scene.method.substeps)),
+      substeps_(scene.method.substeps),
+      most_substeps_(scene.method.substeps),
       gravity_(scene.gravity),
       drag_(scene.drag),
       wind_(scene.wind),
@@ -54,6 +56,7 @@ World::World(const Scene& scene)
 void World::step() {
   if (failure_) return;
   rebuild_if_changed();
+  choose_substeps();
   begin_tick();
   if (bodies_are_free_ && pushed_.empty()) {
     timed(StepStage::motion, [this] { fly_all(); });
@@ -67,7 +70,7 @@ void World::step() {
 void World::step_in_stages() {
   if (on(Effect::contacts)) find_contacts();
   prepare_solvers();
-  for (int i = 0; i < method_.substeps; ++i) locates_impacts() ? pass_impacts(h_) : advance(h_);
+  for (int i = 0; i < substeps_; ++i) locates_impacts() ? pass_impacts(h_) : advance(h_);
   if (!locates_impacts()) timed(StepStage::motion, [this] { book_work(); });
   timed(StepStage::motion, [this] { end_tick(); });
   break_joints();
@@ -123,6 +126,7 @@ DragDef World::drag_of(BodyIndex i) const {
 
 void World::begin_tick() {
   ++tick_;
+  drifts_ = 0;
   events_.clear();
   separation_events_ = std::move(separated_by_commands_);
   separated_by_commands_.clear();
@@ -244,9 +248,19 @@ void World::solve(real h, real share) {
     if (on(Effect::contacts) && !is_exact()) {
       timed(StepStage::contact_solver, [&] { contact_solver_.solve(motions_, h); });
     }
-    if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
+    if (has_rigid_joints()) timed(StepStage::joint_solver, [&] { place_on_joints(h); });
   }
   if (on(Effect::contacts) && !exact_contacts_.empty()) solve_exactly(h);
+}
+
+/// Joints that were torn apart are closed by moving bodies: what that lifts them by is work from outside.
+void World::place_on_joints(real h) {
+  if (!joint_solver_.solve_positions(jointed(), h)) return;
+  const std::vector<Motion> moved = motions_;
+  booked_work_ += potential_energy();
+  joint_solver_.take_back_moves(motions_);
+  booked_work_ -= potential_energy();
+  motions_ = moved;
 }
 
 /// Joints answer to the contacts within the solution; what turning leaves open of both is closed by going round again.
@@ -256,7 +270,7 @@ void World::solve_exactly(real h) {
     timed(StepStage::contact_solver,
           [&] { exact_contacts_.solve_positions(contact_solver_, joints, motions_, h, reach_of_contacts()); });
     if (!exact_contacts_.moves_joints()) return;
-    timed(StepStage::joint_solver, [&] { joint_solver_.solve_positions(jointed(), h); });
+    timed(StepStage::joint_solver, [&] { place_on_joints(h); });
   }
 }
 

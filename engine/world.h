@@ -74,6 +74,7 @@ class World final : public Simulation {
 
   // A tick (world.cpp), in order.
   void rebuild_if_changed();
+  void choose_substeps();
   void gather_free_forces();
   Vec2 acceleration_of(BodyIndex index) const;
   DragDef drag_of(BodyIndex index) const;
@@ -91,6 +92,7 @@ class World final : public Simulation {
   void kick(real h);
   void solve(real h, real share);
   void add_shares(real share);
+  void place_on_joints(real h);
   void solve_exactly(real h);
   void push_out();
   void relax(real h);
@@ -276,8 +278,10 @@ class World final : public Simulation {
   std::uint64_t scene_hash_;  ///< of what it was made from
   Method method_;
   int rate_;
-  real dt_;  ///< a tick, s
-  real h_;   ///< a substep, s
+  real dt_;            ///< a tick, s
+  real h_;             ///< a substep of this tick, s
+  int substeps_;       ///< of this tick: the method's, or more
+  int most_substeps_;  ///< of any tick so far
   Vec2 gravity_;
   DragDef drag_;
   Vec2 wind_;
@@ -324,7 +328,7 @@ class World final : public Simulation {
   std::vector<Wetted> wetted_;  ///< by body, since the bodies were last moved
   FieldForces fields_;
   Sleep sleep_;
-  std::int64_t drifts_ = 0;  ///< substeps so far, counted where their fields are asked
+  std::int64_t drifts_ = 0;  ///< substeps of this tick so far, counted where their fields are asked
   double booked_work_ = 0;
   std::int64_t tick_ = 0;
   std::optional<Failure> failure_;

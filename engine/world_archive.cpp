@@ -13,7 +13,7 @@ namespace {
 
 constexpr Mark mark{'p', 'r', 'o', 'o', 'f', 'r', 's', 't'};
 /// Changes with every change of what is stored.
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
 }  // namespace
 
@@ -155,9 +155,9 @@ void BroadPhase::exchange(Archive& archive, Self& broad_phase) {
 template <typename Archive, typename Self>
 void JointGroup::exchange(Archive& archive, Self& group) {
   [[maybe_unused]] auto& [rows, links, bounded, on, links_on, bodies, seen, ahead, factored_with, couplings, matrix,
-                          levers, right_side, too_dense, renumber, stale, redundant, strained, equal, one_sided, driven,
-                          work] = group;
-  archive(redundant, strained);
+                          levers, right_side, too_dense, renumber, stale, redundant, uneven, strained, equal, one_sided,
+                          driven, work, moved_from] = group;
+  archive(redundant, uneven, strained);
 }
 
 template <typename Archive, typename Self>
@@ -193,18 +193,19 @@ void World::Push::exchange(Archive& archive, Self& push) {
 template <typename Archive, typename Self>
 void World::exchange(Archive& archive, Self& world) {
   // Not stored: what it was made with, which the fresh one has; what every tick begins with making; who looks on.
-  [[maybe_unused]] auto& [scene_hash, method, rate, dt, h, gravity, drag, wind, attractors, gravitational_constant,
-                          listed_effects, census, effects, structure_changed, ground_changed, has_broad_phase,
-                          bodies_are_free, forces_kept, islands_kept, commanded, bodies, motions, accelerations, drags,
-                          pushed, velocities_before, shapes, free_shapes, joints, rockets, broad_phase, contacts,
-                          contacts_made, contact_solver, exact_contacts, joint_solver, smooth_integrator, pulled,
-                          diverged, hinged, touches, locating, events, separation_events, separated_by_commands,
-                          break_events, water, wetted, fields, sleep, drifts, booked_work, tick, failure, times] =
-      world;
+  [[maybe_unused]] auto& [scene_hash, method, rate, dt, h, substeps, most_substeps, gravity, drag, wind, attractors,
+                          gravitational_constant, listed_effects, census, effects, structure_changed, ground_changed,
+                          has_broad_phase, bodies_are_free, forces_kept, islands_kept, commanded, bodies, motions,
+                          accelerations, drags, pushed, velocities_before, shapes, free_shapes, joints, rockets,
+                          broad_phase, contacts, contacts_made, contact_solver, exact_contacts, joint_solver,
+                          smooth_integrator, pulled, diverged, hinged, touches, locating, events, separation_events,
+                          separated_by_commands, break_events, water, wetted, fields, sleep, drifts, booked_work, tick,
+                          failure, times] = world;
   archive(census, effects, structure_changed, ground_changed, has_broad_phase, bodies_are_free, commanded, bodies,
           motions, accelerations, drags, pushed, velocities_before, shapes, free_shapes, joints, rockets, broad_phase,
           contacts, contacts_made, diverged, events, separation_events, separated_by_commands, break_events, sleep,
-          drifts, booked_work, tick, failure);
+          substeps, most_substeps, drifts, booked_work, tick, failure);
+  if constexpr (Archive::reads) world.h_ = dt / static_cast<real>(std::max(substeps, 1));
   if (structure_changed) return;  // the next tick groups the joints anew
   if constexpr (Archive::reads) {
     if (archive.spoilt() || !world.joints_are_sound()) return archive.spoil();

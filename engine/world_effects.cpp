@@ -39,7 +39,8 @@ double World::potential_of_water() const {
 }
 
 double World::field_time() const {
-  return static_cast<double>(drifts_) / (static_cast<double>(rate_) * method_.substeps);
+  const std::int64_t substeps = (tick_ - 1) * substeps_ + drifts_;
+  return static_cast<double>(substeps) / (static_cast<double>(rate_) * substeps_);
 }
 
 void World::book_fields(real h, real share) {

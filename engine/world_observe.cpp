@@ -22,6 +22,9 @@ std::vector<EffectDecision> World::effects() const {
     const bool chooses = decision.effect == Effect::contacts && decision.on && may_be_exact() && !is_exact();
     if (chooses) decision.why += "; " + exact_contacts_.told();
     const std::size_t rows = decision.effect == Effect::joints && decision.on ? joint_solver_.rows_of_nets() : 0;
+    if (decision.effect == Effect::joints && most_substeps_ > method_.substeps)
+      decision.why += "; swings too fast for " + std::to_string(method_.substeps) + " substeps got up to " +
+                      std::to_string(most_substeps_);
     if (rows > 0) decision.why += "; " + std::to_string(rows) + " rows of large nets are solved one by one";
   }
   return decisions;

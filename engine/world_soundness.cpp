@@ -150,6 +150,7 @@ bool World::sleep_is_sound() const {
 /// `least_bodies` are those of the scene, which attractors may name.
 bool World::is_sound(std::size_t least_bodies) const {
   if (bodies_.size() < std::max<std::size_t>(least_bodies, 1) || tick_ < 0) return false;
+  if (substeps_ < method_.substeps || most_substeps_ < substeps_) return false;
   if (!bodies_are_sound() || !shapes_are_sound() || !joints_are_sound() || !contacts_are_sound() || !sleep_is_sound())
     return false;
   const std::size_t count = bodies_.size();

@@ -72,7 +72,7 @@ void World::bounce(real h) {
 }
 
 void World::fly_all() {
-  fly({accelerations_, drags_, wind_in_force()}, method_.integrator, method_.substeps, h_, bodies_, motions_);
+  fly({accelerations_, drags_, wind_in_force()}, method_.integrator, substeps_, h_, bodies_, motions_);
 }
 
 /// By gravity, and by what commands ask for during this tick.

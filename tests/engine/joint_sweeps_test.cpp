@@ -137,5 +137,5 @@ TEST_CASE("A chain is solved at once however long it is, a large net row by row,
   CHECK(why(net(8)).find("one by one") == std::string::npos);
   const Scene large = net(36);
   CHECK(why(large).find("one by one") != std::string::npos);
-  CHECK(widest_gap(large, 0.5) < 0.1);  // and it holds: by a tenth of a disc, over 35 rows
+  CHECK(widest_gap(large, 0.5) < 0.01);  // and it holds: by a hundredth of a disc, over 35 rows
 }
