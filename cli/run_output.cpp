@@ -78,8 +78,11 @@ Json json_of(const RunReport& report, const std::vector<std::string>& warnings, 
              {{"initial", report.initial_energy.total()},
               {"final", report.final_energy.total()},
               {"max_drift", report.max_energy_drift}}},
+            {"energy_grew", nullptr},
             {"wall_s", wall_s},
             {"warnings", warnings}};
+  if (report.energy_grew)
+    json["energy_grew"] = {{"tick", report.energy_grew->tick}, {"joules", report.energy_grew->joules}};
   if (report.resumed_at) json["resumed_at"] = *report.resumed_at;
   return json;
 }

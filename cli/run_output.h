@@ -14,8 +14,9 @@ namespace proofreel {
 std::string text_of(const RunReport& report);
 
 /// One object: scenario, ticks, trajectory_hash, state_hash (16 hex digits each), measures {name: {final, min, max,
-/// max_error}}, expectations [{text, held, tick}], energy {initial, final, max_drift}, wall_s, warnings; resumed_at (a
-/// tick) when it was resumed. Numbers in SI; max_error is null for measures without reference, and whatever is not
+/// max_error}}, expectations [{text, held, tick}], energy {initial, final, max_drift}, energy_grew (null,
+/// or {tick, joules}: energy beyond the work done on the scene), wall_s, warnings; resumed_at (a tick) when it was
+/// resumed. Numbers in SI; max_error is null for measures without reference, and whatever is not
 /// known after resuming is null.
 Json json_of(const RunReport& report, const std::vector<std::string>& warnings, double wall_s);
 

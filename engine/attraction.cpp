@@ -43,10 +43,10 @@ double inverse_distance(Vec2d way) {
 
 }  // namespace
 
-void kick_towards(const AttractorDef& attractor, const std::vector<Body>& bodies, std::vector<Motion>& motions,
+Vec2 kick_towards(const AttractorDef& attractor, const std::vector<Body>& bodies, std::vector<Motion>& motions,
                   real h) {
   const Center center = center_of(attractor, bodies, motions);
-  if (!center.exists) return;
+  if (!center.exists) return {};
   Vec2 handed_over;
   for (BodyIndex i = 1; i < bodies.size(); ++i) {
     if (!is_pulled(bodies[i]) || i == center.body) continue;
@@ -55,6 +55,7 @@ void kick_towards(const AttractorDef& attractor, const std::vector<Body>& bodies
     handed_over += bodies[i].mass * gain;
   }
   motions[center.body].velocity -= motions[center.body].inv_mass * handed_over;
+  return handed_over;
 }
 
 double potential_of(const AttractorDef& attractor, const std::vector<Body>& bodies,

@@ -12,9 +12,9 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
 /// Pulls every dynamic body towards one point for `h` seconds: with m * strength / r^2, or with m * strength * r. Where
-/// the point is a body, that body feels all of it in return (Newton's third law) and is itself not pulled. At distance
-/// zero there is no direction and no force.
-void kick_towards(const AttractorDef& attractor, const std::vector<Body>& bodies, std::vector<Motion>& motions, real h);
+/// the point is a body, that body feels all of it in return (Newton's third law) and is itself not pulled: the impulse
+/// all others have got, N s, is returned. At distance zero there is no direction and no force.
+Vec2 kick_towards(const AttractorDef& attractor, const std::vector<Body>& bodies, std::vector<Motion>& motions, real h);
 
 /// The potential energy, J: -m strength / r per body, zero far away; or m strength r^2 / 2, zero at the point.
 double potential_of(const AttractorDef& attractor, const std::vector<Body>& bodies, const std::vector<Motion>& motions);

@@ -9,9 +9,34 @@ namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
 
-/// How far the pair may approach within `dt`, at the speeds of now.
+/// Of a pair's thickness: with more overlap than that from the start, bodies were put inside each other; with no more
+/// than that, they have come apart again.
+constexpr real deep_part = real(0.03);
+constexpr real parted_part = real(0.001);
+
+/// How far the pair may approach within `dt` at even speeds.
 real approach_bound(const Motion& a, real reach_a, const Motion& b, real reach_b, real dt) {
   return dt * (length(b.velocity - a.velocity) + std::abs(a.spin) * reach_a + std::abs(b.spin) * reach_b);
+}
+
+/// What drives B towards A along the normal the most, m/s^2. Something else may hold one of the two while the other one
+/// falls, and nobody knows that yet: so it is what they do both, or only one of them.
+Vec2 driving(const Contact& contact, const Foresight& foresight) {
+  if (foresight.accelerations.empty()) return {};
+  const Vec2 a = foresight.accelerations[contact.body_a];
+  const Vec2 b = foresight.accelerations[contact.body_b];
+  const Vec2 n = contact.manifold.normal;
+  Vec2 most = b - a;
+  if (dot(b, n) < dot(most, n)) most = b;
+  if (dot(-a, n) < dot(most, n)) most = -a;
+  return most;
+}
+
+/// A bound on how far the pair falls towards each other within a tick, m.
+real fall_bound(const Contact& contact, const Foresight& foresight) {
+  if (foresight.accelerations.empty()) return 0;
+  return fall_within(foresight.dt, foresight.accelerations[contact.body_a]) +
+         fall_within(foresight.dt, foresight.accelerations[contact.body_b]);
 }
 
 Manifold narrow_phase(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin) {
@@ -38,6 +63,7 @@ Manifold predicted(const Manifold& now, const Shape& a, Pose pose_a, const Motio
     m = narrow_phase(a, pose_a, b, pose_b, bound + near);
     if (m.count == 0) return {};
   }
+  if (deepest(m) > near) return {};
   a_to_b = pose_b.position - pose_a.position;
   for (int k = 0; k < m.count; ++k) {
     const Vec2 arm = m.points[k].point;
@@ -80,7 +106,8 @@ real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose&
 }
 
 void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
-                     const std::vector<Motion>& motions, real dt, bool ccd) {
+                     const std::vector<Motion>& motions, const Foresight& foresight) {
+  const real dt = foresight.dt;
   const Shape& a = shapes[contact.shape_a];
   const Shape& b = shapes[contact.shape_b];
   const Body& body_a = bodies[contact.body_a];
@@ -88,20 +115,26 @@ void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const s
   const Motion& ma = motions[contact.body_a];
   const Motion& mb = motions[contact.body_b];
   const real thin = pair_length(a, b);
+  const real near = near_part * thin;
   const bool always =
       body_a.type != BodyType::dynamic || body_b.type != BodyType::dynamic || body_a.bullet || body_b.bullet;
-  const real bound = approach_bound(ma, a.reach, mb, b.reach, dt);
-  const real margin = real(0.02) * thin + (ccd && always ? bound : std::min(bound, thin));
+  const real bound = approach_bound(ma, a.reach, mb, b.reach, dt) + fall_bound(contact, foresight);
+  const real margin = near + (foresight.ccd && always ? bound : std::min(bound, thin));
   const Manifold old = contact.manifold;
   const PointImpulse old_impulses[2] = {contact.impulses[0], contact.impulses[1]};
-  const Pose pose_a{body_a.center, ma.rotation};
-  const Pose pose_b{body_b.center, mb.rotation};
+  const Pose pose_a{body_a.center + ma.delta, ma.rotation};
+  const Pose pose_b{body_b.center + mb.delta, mb.rotation};
   contact.manifold = narrow_phase(a, pose_a, b, pose_b, margin);
   contact.a_to_b = pose_b.position - pose_a.position;
-  const real near = real(0.02) * thin;
   if (contact.manifold.count > 0 && deepest(contact.manifold) > near) {
-    contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, mb, near, dt, bound, contact.a_to_b);
+    Motion falling = mb;
+    falling.velocity += dt * driving(contact, foresight);
+    const real way = approach_bound(ma, a.reach, falling, b.reach, dt);
+    contact.manifold = predicted(contact.manifold, a, pose_a, ma, b, pose_b, falling, near, dt, way, contact.a_to_b);
   }
+  const real overlap = contact.manifold.count > 0 ? -deepest(contact.manifold) : real(0);
+  const bool met_now = old.count == 0 && !contact.touching;
+  contact.parting = met_now ? overlap > deep_part * thin : contact.parting && overlap > parted_part * thin;
   carry_over(old, old_impulses, contact);
   if (!contact.touching && contact.manifold.count > 0) contact.approach = approach_speed(contact, ma, mb);
   if (contact.manifold.count == 0) contact.rolling_impulse = 0;

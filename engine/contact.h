@@ -3,7 +3,10 @@
 /// Pairs of shapes that are near each other, kept from step to step, so that the solver starts from the impulses it
 /// found last time (warm starting).
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "engine/body.h"
 #include "engine/broad_phase.h"
@@ -28,6 +31,7 @@ struct Contact {
   BodyIndex body_b = 0;
   bool sensor = false;
   bool touching = false;
+  bool parting = false;      ///< they were deep inside each other when they met, and have not come apart yet
   bool sliding = false;      ///< of the two coefficients of friction the kinetic one counts
   std::uint32_t number = 0;  ///< in order of creation
   real friction_at_rest = 0;
@@ -63,11 +67,26 @@ real approach_speed(const Contact& contact, const Motion& a, const Motion& b);
 /// How far two shapes are apart, m; negative on overlap, and without bound from `margin` on.
 real gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, real margin);
 
-/// Runs the narrow phase for one contact and carries the impulses over to the points that are still the same.
-/// `dt` is the length of a tick: surfaces that may meet within it are in the manifold too (speculative contacts);
-/// `ccd` lets that reach as far as the bodies may move.
+/// How near each other two shapes are looked at whether or not anything moves, as a part of the pair's thickness.
+inline constexpr real near_part = real(0.02);
+
+/// How far a tick can be foreseen.
+struct Foresight {
+  real dt = 0;                          ///< a tick, s
+  bool ccd = false;                     ///< as far as the bodies may move
+  std::span<const Vec2> accelerations;  ///< of the bodies, m/s^2; none where nothing accelerates
+};
+
+/// A bound on how far a body falls within a tick, m. Clamped, since boxes must stay finite: no scene is larger.
+inline real fall_within(real dt, Vec2 acceleration) {
+  return std::min(dt * dt * (std::abs(acceleration.x) + std::abs(acceleration.y)), real(1e9));
+}
+
+/// Runs the narrow phase for one contact and carries the impulses over to the points that are still the same. Surfaces
+/// that may meet within a tick are in the manifold too (speculative contacts): by the speeds of now, and by what
+/// accelerates the bodies, so that what lies a hair's breadth above another does not begin to fall.
 void update_manifold(Contact& contact, const std::vector<Shape>& shapes, const std::vector<Body>& bodies,
-                     const std::vector<Motion>& motions, real dt, bool ccd);
+                     const std::vector<Motion>& motions, const Foresight& foresight);
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

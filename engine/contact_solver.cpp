@@ -45,18 +45,6 @@ void push_apart(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
   b.push(impulse, p.arm_b);
 }
 
-/// The same with positions: `impulse` in kg m.
-void shift(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
-  const auto move = [](Motion& m, Vec2 push, Vec2 arm) {
-    const real turn = m.inv_inertia * cross(arm, push);
-    m.delta += m.inv_mass * push;
-    m.rotation = turned(m.rotation, turn);
-    m.angle += turn;
-  };
-  move(a, -impulse, p.arm_a);
-  move(b, impulse, p.arm_b);
-}
-
 Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& p) {
   return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
 }
@@ -89,6 +77,12 @@ bool slides(const ContactConstraint& c) {
   return available > 0 && used >= real(0.999999) * available;
 }
 
+/// 0, 2, 4, ... 1, 3, 5, ... for i = 0 .. n - 1.
+std::size_t every_other_first(std::size_t i, std::size_t n) {
+  const std::size_t evens = n - n / 2;
+  return i < evens ? 2 * i : 2 * (i - evens) + 1;
+}
+
 }  // namespace
 
 Softness make_softness(real hertz, real damping_ratio, real h) {
@@ -104,31 +98,51 @@ real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const M
   return p.base_separation + dot((b.delta - a.delta) + arms, c.normal);
 }
 
+ContactConstraint ContactSolver::constraint_of(std::uint32_t index, const Contact& contact,
+                                               const std::vector<Shape>& shapes,
+                                               const std::vector<Motion>& motions) const {
+  ContactConstraint c;
+  c.contact = index;
+  c.body_a = contact.body_a;
+  c.body_b = contact.body_b;
+  c.count = contact.manifold.count;
+  c.sliding = contact.sliding;
+  c.normal = contact.manifold.normal;
+  c.friction_at_rest = contact.friction_at_rest;
+  c.friction_sliding = contact.friction_sliding;
+  c.restitution = contact.restitution;
+  c.length = pair_length(shapes[contact.shape_a], shapes[contact.shape_b]);
+  c.push_speed = contact.parting && is_soft(method_) ? real(0) : push_rate * c.length;
+  c.radius_a = shapes[contact.shape_a].hull.radius;
+  c.radius_b = shapes[contact.shape_b].hull.radius;
+  for (int k = 0; k < c.count; ++k) {
+    c.points[k] = make_point(c, contact.manifold.points[k], contact.impulses[k], contact.a_to_b, motions[c.body_a],
+                             motions[c.body_b]);
+  }
+  return c;
+}
+
+void shift(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
+  const auto move = [](Motion& m, Vec2 push, Vec2 arm) {
+    const real turn = m.inv_inertia * cross(arm, push);
+    m.delta += m.inv_mass * push;
+    m.rotation = turned(m.rotation, turn);
+    m.angle += turn;
+  };
+  move(a, -impulse, p.arm_a);
+  move(b, impulse, p.arm_b);
+}
+
 void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
                             const std::vector<Motion>& motions, Softness softness, ContactParts parts) {
   softness_ = softness;
   parts_ = parts;
   constraints_.clear();
+  parts_overlaps_ = false;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
-    if (contact.manifold.count == 0 || contact.sensor) continue;
-    ContactConstraint& c = constraints_.emplace_back();
-    c.contact = i;
-    c.body_a = contact.body_a;
-    c.body_b = contact.body_b;
-    c.count = contact.manifold.count;
-    c.sliding = contact.sliding;
-    c.normal = contact.manifold.normal;
-    c.friction_at_rest = contact.friction_at_rest;
-    c.friction_sliding = contact.friction_sliding;
-    c.restitution = contact.restitution;
-    c.length = pair_length(shapes[contact.shape_a], shapes[contact.shape_b]);
-    c.radius_a = shapes[contact.shape_a].hull.radius;
-    c.radius_b = shapes[contact.shape_b].hull.radius;
-    for (int k = 0; k < c.count; ++k) {
-      c.points[k] = make_point(c, contact.manifold.points[k], contact.impulses[k], contact.a_to_b, motions[c.body_a],
-                               motions[c.body_b]);
-    }
+    if (contacts[i].manifold.count == 0 || contacts[i].sensor) continue;
+    constraints_.push_back(constraint_of(i, contacts[i], shapes, motions));
+    parts_overlaps_ |= constraints_.back().push_speed <= 0;
   }
   surface_speeds_.clear();
   if (parts.surface_speed) {
@@ -136,6 +150,26 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
   }
   rolling_.clear();
   if (parts.rolling_resistance) rolling_.prepare(contacts, constraints_, motions);
+}
+
+void ContactSolver::take_in(const std::vector<std::uint32_t>& which, const std::vector<Contact>& contacts,
+                            const std::vector<Shape>& shapes, const std::vector<Motion>& motions) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> place(contacts.size(), none);
+  for (std::size_t i = 0; i < constraints_.size(); ++i) place[constraints_[i].contact] = i;
+  for (const std::uint32_t i : which) {
+    if (place[i] == none && contacts[i].manifold.count == 0) continue;
+    ContactConstraint c = constraint_of(i, contacts[i], shapes, motions);
+    const Vec2 moved = motions[c.body_b].delta - motions[c.body_a].delta;
+    for (ConstraintPoint& p : c.points) p.base_separation -= dot(moved, c.normal);
+    parts_overlaps_ |= c.push_speed <= 0;
+    if (place[i] != none) {
+      constraints_[place[i]] = c;
+    } else {
+      constraints_.push_back(c);
+      if (parts_.surface_speed) surface_speeds_.push_back(contacts[i].surface_speed);
+    }
+  }
 }
 
 void ContactSolver::begin_substep(std::vector<Motion>& motions, real share) {
@@ -177,11 +211,11 @@ template <ContactSolver::Push push>
   if (separation > 0) {
     bias = separation / h;  // may come as close as touching, and no closer
   } else if constexpr (push == Push::softly) {
-    bias = std::max(softness_.bias_rate * separation, -push_rate * c.length);
+    bias = std::max(softness_.bias_rate * separation, -c.push_speed);
     mass_scale = softness_.mass_scale;
     impulse_scale = softness_.impulse_scale;
   } else if constexpr (push == Push::at_once) {
-    bias = std::max(baumgarte / h * std::min(separation + slop * c.length, real(0)), -push_rate * c.length);
+    bias = std::max(baumgarte / h * std::min(separation + slop * c.length, real(0)), -c.push_speed);
   }
   const real approach = dot(relative_velocity(a, b, p), c.normal);
   const real change = -p.normal_mass * mass_scale * (approach + bias) - impulse_scale * p.normal_impulse;
@@ -196,8 +230,9 @@ template <ContactSolver::Push push, bool friction, bool moving>
 void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
   const std::size_t n = constraints_.size();
   for (std::size_t i = 0; i < n; ++i) {
-    // Up through the pile and down again: neither direction, nor the side the pile was built from, is favoured.
-    const std::size_t at = push == Push::back ? n - 1 - i : i;
+    // Up through the pile, and down again by every other one first: neither direction, nor the side the pile was built
+    // from, is favoured. In plain order down a pyramid of fifteen rows rocks for ever.
+    const std::size_t at = push == Push::back ? every_other_first(n - 1 - i, n) : i;
     ContactConstraint& c = constraints_[at];
     if (c.exact) continue;
     Motion& a = motions[c.body_a];
@@ -251,6 +286,42 @@ void ContactSolver::push_out(std::vector<Motion>& motions) const {
       if (overlap >= 0) continue;
       const real way = std::max(baumgarte * overlap, -longest_move * c.length);
       shift(a, b, p, -p.normal_mass * way * c.normal);
+    }
+  }
+}
+
+namespace {
+
+constexpr int parting_sweeps = 4;
+
+/// How far a point is to be open after bodies have been moved apart for `h` seconds.
+real goal_of_parting(const ContactConstraint& c, real separation, real h) {
+  const real goal = c.push_speed > 0 ? separation : separation + push_rate * c.length * h;
+  return std::min(goal, real(0));
+}
+
+}  // namespace
+
+/// What nothing moves has the last word, so that nobody is pushed into the ground.
+void ContactSolver::part(std::vector<Motion>& motions, real h) const {
+  std::vector<real> goals;
+  for (const ContactConstraint& c : constraints_) {
+    for (const ConstraintPoint& p : c.points)
+      goals.push_back(goal_of_parting(c, separation_of(c, p, motions[c.body_a], motions[c.body_b]), h));
+  }
+  const auto move = [&](std::size_t i) {
+    const ContactConstraint& c = constraints_[i];
+    Motion& a = motions[c.body_a];
+    Motion& b = motions[c.body_b];
+    for (int k = 0; k < c.count; ++k) {
+      const real missing = goals[2 * i + static_cast<std::size_t>(k)] - separation_of(c, c.points[k], a, b);
+      if (missing > 0) shift(a, b, c.points[k], c.points[k].normal_mass * missing * c.normal);
+    }
+  };
+  for (int sweep = 0; sweep < parting_sweeps; ++sweep) {
+    for (std::size_t i = 0; i < constraints_.size(); ++i) move(i);
+    for (std::size_t i = 0; i < constraints_.size(); ++i) {
+      if (motions[constraints_[i].body_a].inv_mass <= 0 || motions[constraints_[i].body_b].inv_mass <= 0) move(i);
     }
   }
 }

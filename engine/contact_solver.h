@@ -55,15 +55,19 @@ struct ContactConstraint {
   real friction_at_rest = 0;
   real friction_sliding = 0;
   real restitution = 0;
-  real length = 0;    ///< pair_length of its shapes
-  real closed = 0;    ///< gaps below this are closed for those who want to know exactly (ExactContacts), m
-  real radius_a = 0;  ///< of the shapes' roundings, m
+  real length = 0;      ///< pair_length of its shapes
+  real push_speed = 0;  ///< at most so fast overlap is driven out by velocity, m/s; 0 where it is by position
+  real closed = 0;      ///< gaps below this are closed for those who want to know exactly (ExactContacts), m
+  real radius_a = 0;    ///< of the shapes' roundings, m
   real radius_b = 0;
   ConstraintPoint points[2];
 };
 
 /// The separation of a point at the present positions.
 real separation_of(const ContactConstraint& c, const ConstraintPoint& p, const Motion& a, const Motion& b);
+
+/// Moves both bodies as if `impulse` (kg m, on B) acted on positions.
+void shift(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse);
 
 /// The coefficient that counts at present.
 inline real friction_of(const ContactConstraint& c) { return c.sliding ? c.friction_sliding : c.friction_at_rest; }
@@ -78,6 +82,11 @@ struct ContactParts {
   bool rolling_resistance = false;
   bool surface_speed = false;
 };
+
+/// Contacts that are swept are soft.
+inline bool is_soft(ContactMethod method) {
+  return method == ContactMethod::automatic || method == ContactMethod::soft_step;
+}
 
 class ContactSolver {
  public:
@@ -95,6 +104,14 @@ class ContactSolver {
   void relax(std::vector<Motion>& motions, real h) { sweep<Push::back>(motions, h); }
   /// One sweep over the positions that takes out a part of the overlap.
   void push_out(std::vector<Motion>& motions) const;
+  /// Whether some bodies are still inside each other since they met. The push that drives them out would add up from
+  /// body to body along a pile, and no relaxing sweep gets all of it back.
+  bool parts_overlaps() const { return parts_overlaps_; }
+  /// Moves them out, by their push_rate at most, and leaves no other contact worse than it was. No velocity changes.
+  void part(std::vector<Motion>& motions, real h) const;
+  /// Looks at some of the contacts anew amid a tick; all others go on as they were prepared.
+  void take_in(const std::vector<std::uint32_t>& which, const std::vector<Contact>& contacts,
+               const std::vector<Shape>& shapes, const std::vector<Motion>& motions);
   /// Ends a substep: books its impulses and looks which contacts stick and which slide.
   void end_substep();
   /// Hands the impulses back to the contacts.
@@ -115,6 +132,8 @@ class ContactSolver {
 
   template <Push push>
   void sweep(std::vector<Motion>& motions, real h);
+  ContactConstraint constraint_of(std::uint32_t index, const Contact& contact, const std::vector<Shape>& shapes,
+                                  const std::vector<Motion>& motions) const;
   template <Push push, bool friction, bool moving>
   void sweep_all(std::vector<Motion>& motions, real h);
   template <Push push>
@@ -126,6 +145,7 @@ class ContactSolver {
   RollingRows rolling_;
   Softness softness_;
   ContactParts parts_;
+  bool parts_overlaps_ = false;
 };
 
 }  // namespace PROOFREEL_PRECISION

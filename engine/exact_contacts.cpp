@@ -109,9 +109,10 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
   moves_joints_ = std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return !g.joint_groups.empty(); });
 }
 
-/// A first look, before anything is made. Joints that are swept would be left out of the matrix.
+/// A first look, before anything is made. Joints that are swept would be left out of the matrix; what is inside each
+/// other since it met is moved apart more gently than by velocities.
 bool ExactContacts::may_be_affordable(const Group& group, const JointSolver* joints) {
-  if (joints != nullptr && joints->sweeps()) return false;
+  if (group.parts || (joints != nullptr && joints->sweeps())) return false;
   return group.contacts <= (group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints);
 }
 
@@ -157,6 +158,7 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
       groups_.emplace_back();
     }
     ++groups_[group].contacts;
+    groups_[group].parts |= c.push_speed <= 0;
     group_of_.push_back(group);
   }
   for (std::size_t g = 0; g < joint_groups; ++g) {

@@ -58,6 +58,7 @@ class ExactContacts {
   struct Group {
     std::size_t contacts = 0;
     bool chosen = false;
+    bool parts = false;   ///< some of its bodies are inside each other since they met
     bool loaded = false;  ///< soft contacts would show what they bear
     std::vector<ContactRow> rows;
     std::vector<std::size_t> joint_groups;

@@ -178,6 +178,11 @@ class Simulation {
   virtual std::vector<ContactView> contacts() const = 0;
   virtual void observe(Snapshot& snapshot) const = 0;
   virtual Energy energy() const = 0;
+  /// Whether `Energy::booked_work` holds all that is done on the bodies from outside.
+  virtual bool books_work() const { return true; }
+  /// Whether bodies that were put inside each other have not come apart yet, or joints have not closed that were made
+  /// open: what they release belongs to how the scene was set up.
+  virtual bool is_settling() const { return false; }
   /// XXH3 of poses and velocities: equal exactly when all bits of the motion are.
   virtual std::uint64_t state_hash() const = 0;
   virtual const std::optional<Failure>& failure() const = 0;

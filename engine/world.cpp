@@ -144,6 +144,7 @@ void World::begin_tick() {
 }
 
 void World::find_contacts() {
+  if (watches_runaways()) note_paces();
   timed(StepStage::broad_phase, [this] { find_pairs(); });
   timed(StepStage::narrow_phase, [this] { update_manifolds(contacts_); });
   if (on(Effect::sleeping)) timed(StepStage::sleeping, [this] { wake_what_is_touched(); });
@@ -188,6 +189,7 @@ void World::substep(real h) {
   solve(h, share);
   timed(StepStage::motion, [&] { drift_all(h); });
   push_out();
+  if (watches_runaways()) timed(StepStage::narrow_phase, [&] { catch_runaways(h); });
   if (on(Effect::buoyancy)) timed(StepStage::buoyancy, [&] { look_at_water(); });
   if (on(Effect::field)) timed(StepStage::field, [&] { book_fields(h, share); });
   if (on(Effect::joints)) timed(StepStage::joint_solver, [&] { joint_solver_.linearize(jointed()); });
@@ -230,7 +232,9 @@ void World::kick(real h) {
   timed(on(Effect::gravity) ? StepStage::gravity : StepStage::motion, [&] { accelerate(h); });
   if (on(Effect::attractor)) {
     timed(StepStage::attractor, [&] {
-      for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, motions_, h);
+      for (const AttractorDef& attractor : attractors_) {
+        booked_work_ += work_of_center(attractor, kick_towards(attractor, bodies_, motions_, h));
+      }
     });
   }
   if (on(Effect::nbody)) {
@@ -275,7 +279,9 @@ void World::solve_exactly(real h) {
 }
 
 void World::push_out() {
-  if (!on(Effect::contacts) || method_.contact_solver != ContactMethod::ngs) return;
+  if (!on(Effect::contacts)) return;
+  if (contact_solver_.parts_overlaps()) timed(StepStage::contact_solver, [&] { part_overlaps(h_); });
+  if (method_.contact_solver != ContactMethod::ngs) return;
   timed(StepStage::contact_solver, [&] {
     for (int i = 0; i < sweeps_per_substep(method_); ++i) contact_solver_.push_out(motions_);
   });
@@ -284,8 +290,7 @@ void World::push_out() {
 /// Takes out of the velocities what was only there to correct positions, and under verlet what the second half of the
 /// forces has put in.
 void World::relax(real h) {
-  const bool soft =
-      method_.contact_solver == ContactMethod::automatic || method_.contact_solver == ContactMethod::soft_step;
+  const bool soft = is_soft(method_.contact_solver);
   for (int i = 0; i < sweeps_per_substep(method_); ++i) {
     if (on(Effect::contacts) && (soft || (is_verlet() && !is_exact()))) {
       timed(StepStage::contact_solver, [&] { contact_solver_.relax(motions_, h); });

@@ -46,6 +46,7 @@ class World final : public Simulation {
   std::vector<ContactView> contacts() const override;
   void observe(Snapshot& snapshot) const override;
   Energy energy() const override;
+  bool is_settling() const override;
   std::uint64_t state_hash() const override;
   const std::optional<Failure>& failure() const override { return failure_; }
   std::vector<EffectDecision> effects() const override;
@@ -67,6 +68,14 @@ class World final : public Simulation {
     real angle_before = 0;  ///< at the start of that tick
     template <typename Archive, typename Self>
     static void exchange(Archive& archive, Self& push);
+  };
+
+  /// How a body moved when the tick's pairs were looked for.
+  struct Pace {
+    Vec2 velocity;
+    real spin = 0;
+    real reach = 0;     ///< from the centre of mass to the farthest point, m
+    real harmless = 0;  ///< speed that takes it no deeper into anything within a tick than can be put right, m/s
   };
 
   /// Of a tick.
@@ -100,6 +109,7 @@ class World final : public Simulation {
   void end_tick();
   void take_positions();
   void book_work();
+  double work_of_center(const AttractorDef& attractor, Vec2 impulse) const;
   void break_joints();
   void collect_events();
   ContactEvent event_of(const Contact& contact, real impulse) const;
@@ -109,6 +119,7 @@ class World final : public Simulation {
   // What the stages do (world_stages.cpp).
   void find_pairs();
   void update_boxes();
+  real fall_of(BodyIndex index) const;
   void drop_parted_contacts();
   void add_new_pairs();
   void update_manifolds(std::vector<Contact>& contacts);
@@ -167,6 +178,22 @@ class World final : public Simulation {
                        real span) const;
   static void add_touch(Touch& touch, const Contact& contact);
   void show_touches();
+
+  // What nobody foresaw (world_runaways.cpp).
+  void note_paces();
+  bool is_fast(BodyIndex index) const;
+  bool runs_away(BodyIndex index) const;
+  void catch_runaways(real h);
+  std::vector<std::uint8_t> jointed_bodies() const;
+  void keep_out_of_walls(const std::vector<std::uint8_t>& jointed, real h);
+  void look_again(const std::vector<BodyIndex>& runaways, const std::vector<std::uint8_t>& jointed, real h);
+  std::vector<std::uint32_t> unforeseen_contacts(const std::vector<std::uint8_t>& runs) const;
+  void hold_back(const std::vector<std::uint32_t>& unforeseen, const std::vector<std::uint8_t>& runs, real h);
+
+  // Bodies that start inside each other (world_overlap.cpp).
+  void part_overlaps(real h);
+  real speed_limit_of_parting(const std::vector<Motion>& before, real h) const;
+
   // Islands (world_islands.cpp).
   std::vector<std::uint32_t> find_islands(bool sleepers_too) const;
   void add_links(const Joint& joint, std::vector<Link>& links) const;
@@ -259,6 +286,7 @@ class World final : public Simulation {
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
   bool is_verlet() const { return method_.integrator != Integrator::symplectic_euler; }
   bool locates_impacts() const { return method_.contact_solver == ContactMethod::event && on(Effect::contacts); }
+  bool watches_runaways() const { return on(Effect::ccd) && on(Effect::contacts) && !locates_impacts(); }
   bool is_exact() const {
     return method_.contact_solver == ContactMethod::exact || method_.contact_solver == ContactMethod::event;
   }
@@ -304,6 +332,7 @@ class World final : public Simulation {
   std::vector<DragDef> drags_;       ///< of each body, or empty
   std::vector<Push> pushed_;         ///< each body once, in order
   std::vector<Vec2> velocities_before_;
+  std::vector<Pace> paces_;  ///< by body, of the present tick
   std::vector<Shape> shapes_;
   std::vector<ShapeIndex> free_shapes_;  ///< places in it whose shapes are gone
   std::vector<Joint> joints_;

@@ -40,6 +40,12 @@ void World::book_work() {
   if (on(Effect::joints)) booked_work_ += joint_solver_.take_work(jointed());
 }
 
+/// Of whatever moves a kinematic body that attracts: it gives what the others are pulled after it with.
+double World::work_of_center(const AttractorDef& attractor, Vec2 impulse) const {
+  const auto center = static_cast<BodyIndex>(attractor.body.value_or(BodyId::world));
+  return bodies_[center].type == BodyType::kinematic ? static_cast<double>(dot(impulse, motions_[center].velocity)) : 0;
+}
+
 /// By the reaction of the whole tick, which a single substep's jolt hardly moves. What a suspension holds is lost with
 /// it, to nothing the energy counts.
 void World::break_joints() {
@@ -90,12 +96,14 @@ void World::detect_failure() {
   for (BodyIndex i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].type != BodyType::dynamic) continue;
     const Motion& m = motions_[i];
-    if (is_finite(bodies_[i].center) && is_finite(m.velocity) && std::isfinite(m.angle) && std::isfinite(m.spin))
-      continue;
+    const real energy = bodies_[i].mass * length_squared(m.velocity) + bodies_[i].inertia * m.spin * m.spin;
+    if (is_finite(bodies_[i].center) && std::isfinite(energy) && std::isfinite(m.angle)) continue;
     failure_.emplace();
     failure_->tick = tick_;
     failure_->body = static_cast<BodyId>(i);
     failure_->stage = stage_of_failure(i);
+    const bool overflowed = is_finite(bodies_[i].center) && is_finite(m.velocity) && std::isfinite(m.spin);
+    if (overflowed && std::isfinite(m.angle)) failure_->what = "became too fast for its energy to be a number";
     return;
   }
 }

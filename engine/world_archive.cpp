@@ -13,7 +13,7 @@ namespace {
 
 constexpr Mark mark{'p', 'r', 'o', 'o', 'f', 'r', 's', 't'};
 /// Changes with every change of what is stored.
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 
 }  // namespace
 
@@ -122,11 +122,12 @@ void exchange(Archive& archive, T& impulse) {
 
 template <typename Archive, Exchanged<Contact> T>
 void exchange(Archive& archive, T& contact) {
-  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, sliding, number, friction_at_rest, friction_sliding,
-         restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses, rolling_impulse] =
-      contact;
-  archive(shape_a, shape_b, body_a, body_b, sensor, touching, sliding, number, friction_at_rest, friction_sliding,
-          restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses, rolling_impulse);
+  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, number, friction_at_rest,
+         friction_sliding, restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses,
+         rolling_impulse] = contact;
+  archive(shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, number, friction_at_rest,
+          friction_sliding, restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses,
+          rolling_impulse);
 }
 
 /// The children share their place with the owner.
@@ -196,7 +197,7 @@ void World::exchange(Archive& archive, Self& world) {
   [[maybe_unused]] auto& [scene_hash, method, rate, dt, h, substeps, most_substeps, gravity, drag, wind, attractors,
                           gravitational_constant, listed_effects, census, effects, structure_changed, ground_changed,
                           has_broad_phase, bodies_are_free, forces_kept, islands_kept, commanded, bodies, motions,
-                          accelerations, drags, pushed, velocities_before, shapes, free_shapes, joints, rockets,
+                          accelerations, drags, pushed, velocities_before, paces, shapes, free_shapes, joints, rockets,
                           broad_phase, contacts, contacts_made, contact_solver, exact_contacts, joint_solver,
                           smooth_integrator, pulled, diverged, hinged, touches, locating, events, separation_events,
                           separated_by_commands, break_events, water, wetted, fields, sleep, drifts, booked_work, tick,

@@ -61,7 +61,10 @@ void World::add_accelerations(real after, Slopes& slopes) {
   for (BodyIndex i = 0; i < accelerations_.size(); ++i) pulled_[i].velocity = accelerations_[i];
   for (const Push& push : pushed_) pulled_[push.body].spin = motions_[push.body].inv_inertia * push.torque;
   if (on(Effect::attractor)) {
-    for (const AttractorDef& attractor : attractors_) kick_towards(attractor, bodies_, pulled_, 1);
+    for (const AttractorDef& attractor : attractors_) {
+      const Vec2 force = kick_towards(attractor, bodies_, pulled_, 1);
+      slopes[0].power += static_cast<real>(work_of_center(attractor, force));
+    }
   }
   if (on(Effect::nbody)) kick_towards_each_other(gravitational_constant_, bodies_, pulled_, 1);
   if (on(Effect::springs)) pull_springs();

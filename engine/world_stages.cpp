@@ -30,18 +30,21 @@ void World::add_new_pairs() {
   }
 }
 
-/// Boxes reach as far as their shapes may go within the tick. Where impacts are located that is to the end, also for
-/// what only begins to fall.
+/// How far a body falls within a tick at most, m; also what only begins to.
+real World::fall_of(BodyIndex i) const {
+  return i < accelerations_.size() ? fall_within(dt_, accelerations_[i]) : real(0);
+}
+
+/// Boxes reach as far as their shapes may go within the tick, and as far as contacts are looked for.
 void World::update_boxes() {
-  const real fall = locates_impacts() ? dt_ * dt_ * length(effective_gravity()) : real(0);
   for (ShapeIndex i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     if (!shape.alive || bodies_[shape.body].acts_as == BodyType::fixed) continue;
     const Motion& motion = motions_[shape.body];
     const real turn =
         std::min(dt_ * std::abs(motion.spin), real(2));  // no point moves farther by turning than twice its reach
-    const Aabb box = expanded(bounds(shape.hull, center_pose(shape.body)), turn * shape.reach + fall);
-    broad_phase_.move(i, shape, box, dt_ * motion.velocity);
+    const real margin = turn * shape.reach + fall_of(shape.body) + near_part * shape.hull.thickness;
+    broad_phase_.move(i, shape, expanded(bounds(shape.hull, center_pose(shape.body)), margin), dt_ * motion.velocity);
   }
 }
 
@@ -55,13 +58,14 @@ void World::drop_parted_contacts() {
 }
 
 void World::update_manifolds(std::vector<Contact>& contacts) {
+  const Foresight foresight{dt_, on(Effect::ccd), accelerations_};
   for (Contact& contact : contacts) {
     if (contact.sensor && !on(Effect::sensors)) continue;
     if (hinged_together(contact.body_a, contact.body_b)) {
       contact.manifold.count = 0;
       continue;
     }
-    update_manifold(contact, shapes_, bodies_, motions_, dt_, on(Effect::ccd));
+    update_manifold(contact, shapes_, bodies_, motions_, foresight);
   }
 }
 

@@ -63,7 +63,8 @@ struct Runner::Impl {
         simulation(std::move(stepped)),
         binding(std::in_place, *scenario.script, *simulation),
         last_tick(scenario.ticks()),
-        recorder(scenario) {
+        recorder(scenario),
+        energy_watch(scenario.scene.gravity, scenario.picture.view.height) {
     for (const Measure& measure : scenario.measures) report.measures.push_back({measure.name, 0, 0, 0, {}, {}});
     for (const Expectation& expectation : scenario.expectations)
       report.expectations.push_back({expectation.text, true, 0, {}});
@@ -75,6 +76,7 @@ struct Runner::Impl {
   void start(const std::vector<std::int64_t>& saved_ticks) {
     if (!saved_ticks.empty()) saver.emplace(scenario, saved_ticks);
     report.initial_energy = simulation->energy();
+    energy_watch.start_from(report.initial_energy.total());
     report.trajectory_hash = chained_hash(0, simulation->state_hash());
     look();
   }
@@ -94,6 +96,7 @@ struct Runner::Impl {
     for (std::size_t i = 0; i < run.changed_variables.size(); ++i)
       report.measures[i].unknown_for = run.changed_variables[i];
     report.initial_energy = run.initial_energy;
+    energy_watch.start_from(report.initial_energy.total());
     report.trajectory_hash = run.trajectory_hash;
     report.resumed_at = run.tick;
     replay.emplace(run, file);
@@ -164,6 +167,7 @@ struct Runner::Impl {
     const double drift = now.total() - now.booked_work - report.initial_energy.total();
     report.max_energy_drift = std::max(report.max_energy_drift, std::abs(drift));
     report.final_energy = now;
+    energy_watch.look(*simulation, now);
   }
 
   void look_at_measure(std::size_t i, std::int64_t tick, bool sampled) {
@@ -219,6 +223,7 @@ struct Runner::Impl {
   std::optional<Binding> binding;
   std::int64_t last_tick;
   Recorder recorder;
+  EnergyWatch energy_watch;
   RunReport report;
   std::vector<Sample> samples;
   std::vector<bool> looked_at;    ///< expectations
@@ -285,6 +290,8 @@ RunReport Runner::finish() {
   if (impl_->replay && impl_->replay->ended_elsewhere(*impl_->simulation, impl_->report.trajectory_hash))
     impl_->scenario.warnings.push_back("the motion is not that of the saved run: the program has changed since");
   RunReport report = impl_->report;
+  report.energy_grew = impl_->energy_watch.growth();
+  if (report.energy_grew) impl_->scenario.warnings.push_back(sentence(*report.energy_grew, impl_->scenario.scene.rate));
   report.ticks = impl_->simulation->tick();
   report.state_hash = impl_->simulation->state_hash();
   return report;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/simulation.h"
+#include "scenarios/energy_watch.h"
 #include "scenarios/frame.h"
 #include "scenarios/saved_run.h"
 #include "scenarios/scenario.h"
@@ -48,7 +49,8 @@ struct RunReport {
   std::vector<ExpectationResult> expectations;
   Energy initial_energy;
   Energy final_energy;
-  double max_energy_drift = 0;  ///< J, |total - booked work - initial total|, over all samples
+  double max_energy_drift = 0;              ///< J, |total - booked work - initial total|, over all samples
+  std::optional<EnergyGrowth> energy_grew;  ///< beyond the booked work; never set for peers, which book none
   std::optional<Failure> failure;
   std::optional<std::int64_t> resumed_at;  ///< the tick from which on it was looked at, when that is not the first
   bool all_held() const;

@@ -2,7 +2,7 @@
 scenario {
   title = "Let sleeping piles lie",
   description = "What rests is not stepped until something touches it: a late stone wakes one pile and leaves the other two asleep.",
-  duration = 8, view = { center = {0.2, 2.85}, height = 7.6 },
+  duration = 9, view = { center = {0.2, 2.85}, height = 7.6 },
   layers = { "bodies" },
   golden = { frames = { 0, 60, 299, 340, 479 } },
 }
@@ -59,5 +59,5 @@ expect("the other two sleep on", function() return time() < 5 or (all_asleep(low
 expect("in the end all sleep again, the stone too", function() return sleepers() == 19 and stone:asleep() end)
 
 caption { text = "What has lain still for half a second falls asleep", from = 0, to = 4.5 }
-caption { text = "Only the heap that is hit wakes", from = 5, to = 8 }
-plot { title = "Boxes asleep", seconds = 8, at = "top_right", y = { asleep = sleepers } }
+caption { text = "Only the heap that is hit wakes", from = 5, to = 9 }
+plot { title = "Boxes asleep", seconds = 9, at = "top_right", y = { asleep = sleepers } }

@@ -27,6 +27,7 @@ class PeerSimulation final : public Simulation {
   std::vector<ContactView> contacts() const override { return world_->contacts(); }
   void observe(Snapshot& snapshot) const override;
   Energy energy() const override;
+  bool books_work() const override { return false; }
   std::uint64_t state_hash() const override;
   const std::optional<Failure>& failure() const override { return failure_; }
   void keep_forces() override { forces_kept_ = true; }

@@ -124,6 +124,23 @@ TEST_CASE("Around an attractor a circular orbit comes back, and its energy stays
   CHECK(simulation->energy().total() == Approx(-4).epsilon(pick(1e-6, 1e-4)));
 }
 
+TEST_CASE("Whatever moves a kinematic body that attracts does the work of it") {
+  const Integrator integrator = GENERATE(Integrator::verlet, Integrator::rk4);
+  Scene scene;
+  scene.gravity = {0, 0};
+  scene.method.integrator = integrator;
+  scene.bodies = {body_with(disc_shape(0.1), {0, 0}, BodyType::kinematic), body_with(disc_shape(0.1), {2, 0})};
+  for (BodyDef& body : scene.bodies) body.filter.group = -1;
+  scene.bodies[0].velocity = {-1, 0};
+  scene.attractors = {{BodyId{1}, {}, 9, AttractionLaw::linear}};
+  const auto simulation = simulate(scene);
+  const double before = simulation->energy().total();
+  run(*simulation, 1.3);
+  const Energy after = simulation->energy();
+  CHECK(std::abs(after.booked_work) > 1e-3);
+  CHECK(after.total() - after.booked_work == Approx(before).epsilon(pick(2e-4, 1e-3)));
+}
+
 TEST_CASE("A linear attractor swings a body like a spring") {
   Scene scene = one_disc({0, 0});
   scene.bodies[0].position = {2, 0};
