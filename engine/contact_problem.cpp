@@ -16,9 +16,6 @@ constexpr real settled = 4 * std::numeric_limits<real>::epsilon();
 /// bound: contacts give way themselves, by this part of their own response.
 constexpr real give_of_squeezed = real(1e-3);
 
-/// Goes its way whatever pushes back.
-bool is_mover(const Motion& m) { return !is_moved(m) && (!(m.velocity == Vec2{}) || m.spin != 0); }
-
 /// The rows as unknowns that are never negative: the impulse of a gap; of a bounded row the impulses forwards and
 /// backwards, and the speed that is left once they have given all they may. In units in which every row's own response
 /// is 1, so that pivots can be compared.

@@ -36,6 +36,9 @@ inline constexpr std::size_t most_rows_to_pivot = 64;
 /// Whether impulses move it.
 inline bool is_moved(const Motion& m) { return m.inv_mass > 0 || m.inv_inertia > 0; }
 
+/// Goes its way whatever pushes back.
+inline bool is_mover(const Motion& m) { return !is_moved(m) && (!(m.velocity == Vec2{}) || m.spin != 0); }
+
 /// Gives all rows their impulses at once, by complementary pivoting (lcp.h). `response` is the speed along row i per
 /// impulse along row j, at i * rows + j, known to `noise` where a row's own is 1. False, and nothing has changed, where
 /// there is no solution.

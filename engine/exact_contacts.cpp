@@ -109,9 +109,14 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
   moves_joints_ = std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return !g.joint_groups.empty(); });
 }
 
-/// A first look, before anything is made. Joints that are swept would be left out of the matrix; what is inside each
+/// A first look, before anything is made. What a moving body presses against another one that does not give way has no
+/// solution; joints that are swept would be left out of the matrix, and stops answer only one way; what is inside each
 /// other since it met is moved apart more gently than by velocities.
 bool ExactContacts::may_be_affordable(const Group& group, const JointSolver* joints) {
+  if (group.movers > 0 && group.immovables.size() > 1) return false;
+  for (const std::size_t g : group.joint_groups) {
+    if (joints->has_stops(g)) return false;
+  }
   if (group.parts || (joints != nullptr && joints->sweeps())) return false;
   return group.contacts <= (group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints);
 }
@@ -128,6 +133,13 @@ void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constrai
     }
   }
   for (Group& group : groups_) group.chosen = group.chosen && group.loaded;
+}
+
+void ExactContacts::note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions) {
+  std::vector<BodyIndex>& known = group.immovables;
+  if (is_moved(motions[body]) || std::find(known.begin(), known.end(), body) != known.end()) return;
+  known.push_back(body);
+  group.movers += is_mover(motions[body]) ? 1 : 0;
 }
 
 std::string ExactContacts::told() const {
@@ -158,6 +170,8 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
       groups_.emplace_back();
     }
     ++groups_[group].contacts;
+    note_immovable(groups_[group], c.body_a, motions);
+    note_immovable(groups_[group], c.body_b, motions);
     groups_[group].parts |= c.push_speed <= 0;
     group_of_.push_back(group);
   }

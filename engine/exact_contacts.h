@@ -57,6 +57,8 @@ class ExactContacts {
  private:
   struct Group {
     std::size_t contacts = 0;
+    std::vector<BodyIndex> immovables;  ///< that its contacts press against
+    int movers = 0;                     ///< how many of them move
     bool chosen = false;
     bool parts = false;   ///< some of its bodies are inside each other since they met
     bool loaded = false;  ///< soft contacts would show what they bear
@@ -69,6 +71,7 @@ class ExactContacts {
 
   void group_by_bodies(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
   void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
+  static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
   static bool may_be_affordable(const Group& group, const JointSolver* joints);
   void look_for_load(const std::vector<ContactConstraint>& constraints, real h);
   void add_rolling(const ContactSolver& contacts);

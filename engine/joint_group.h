@@ -51,6 +51,8 @@ class JointGroup {
   /// The least change of velocities after which the rows that held in the last stage stand still: how the joints answer
   /// to pushes on bodies at rest. Books nothing.
   void hold(std::vector<Motion>& motions) const;
+  /// Whether some of its rows only push: stops and ropes.
+  bool has_stops() const { return one_sided_ > 0; }
   /// The bodies its joints move, in order.
   const std::vector<BodyIndex>& bodies() const { return bodies_; }
   /// What motors and moving kinematic bodies have put in since the last call, J.

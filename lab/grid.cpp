@@ -22,7 +22,7 @@ constexpr std::array<StandingNames, standing_count> standing_names{{{"stands", "
                                                                     {"not offered", "\u2013"}}};
 
 constexpr std::array method_keys{"rate", "substeps", "contact_solver", "joint_solver", "precision"};
-constexpr std::array contact_solver_names{"soft_step", "sequential_impulses", "ngs", "exact", "event"};
+constexpr std::array contact_solver_names{"auto", "soft_step", "sequential_impulses", "ngs", "exact", "event"};
 
 /// What decides how a run comes out, beside the texts it is made from.
 using Settings = std::map<std::string, std::string>;

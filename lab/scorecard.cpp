@@ -5,7 +5,8 @@
 namespace proofreel {
 namespace {
 
-/// One of the engine's methods. The scene's own number of substeps is 0.
+/// One of the engine's methods. The scene's own number of substeps is 0, its own contact solver "": mostly that is
+/// "auto", and "event" where located impacts are what the scene is about.
 struct MethodColumn {
   const char* contact_solver;
   const char* joint_solver;
@@ -15,19 +16,16 @@ struct MethodColumn {
 
 /// From what is taken by default to what is kept for comparison.
 constexpr MethodColumn method_columns[] = {
+    {"", "direct", 0, "double"},
+    {"", "direct", 0, "single"},
+    {"", "direct", 1, "double"},
+    {"", "direct", 2, "double"},
+    {"", "direct", 8, "double"},
+    {"", "iterative", 0, "double"},
     {"soft_step", "direct", 0, "double"},
     {"soft_step", "direct", 0, "single"},
-    {"soft_step", "direct", 1, "double"},
-    {"soft_step", "direct", 1, "single"},
-    {"soft_step", "direct", 2, "double"},
-    {"soft_step", "direct", 2, "single"},
-    {"soft_step", "direct", 4, "double"},
-    {"soft_step", "direct", 4, "single"},
     {"soft_step", "direct", 8, "double"},
-    {"soft_step", "direct", 8, "single"},
     {"soft_step", "direct", 16, "double"},
-    {"soft_step", "iterative", 0, "double"},
-    {"soft_step", "iterative", 8, "double"},
     {"sequential_impulses", "direct", 0, "double"},
     {"sequential_impulses", "direct", 8, "double"},
     {"ngs", "direct", 0, "double"},
@@ -42,7 +40,7 @@ constexpr const char* peer_rate = "60";
 std::string substeps_text(int substeps) { return substeps == 0 ? "own" : std::to_string(substeps); }
 
 Heading heading_of(const MethodColumn& method) {
-  std::string group = method.contact_solver;
+  std::string group = *method.contact_solver == '\0' ? "default" : method.contact_solver;
   if (std::string_view(method.joint_solver) == "iterative") group += ", iterative joints";
   return {group, substeps_text(method.substeps), method.precision};
 }
@@ -52,9 +50,8 @@ Heading heading_of(Peer peer) {
 }
 
 std::vector<Override> settings_of(const MethodColumn& method) {
-  std::vector<Override> set{{"contact_solver", method.contact_solver},
-                            {"joint_solver", method.joint_solver},
-                            {"precision", method.precision}};
+  std::vector<Override> set{{"joint_solver", method.joint_solver}, {"precision", method.precision}};
+  if (*method.contact_solver != '\0') set.push_back({"contact_solver", method.contact_solver});
   if (method.substeps > 0) set.push_back({"substeps", std::to_string(method.substeps)});
   return set;
 }

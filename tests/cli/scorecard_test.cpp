@@ -36,7 +36,7 @@ TEST_CASE("A scorecard is a table, a page, a map and stills, and passes when the
   REQUIRE(json.at("passed") == true);
   REQUIRE(json.at("scenarios") == 1);
   const Json first = json.at("methods").front();
-  REQUIRE(first.at("method") == "soft_step, own, double");
+  REQUIRE(first.at("method") == "default, own, double");
   REQUIRE(first.at("stands") == 1);
   REQUIRE(first.at("to_box2d").get<double>() > 0);
   REQUIRE(json.at("methods").back().at("engine") == "Chipmunk");
@@ -56,7 +56,7 @@ TEST_CASE("A scorecard fails when the default method does not stand, and says wh
   c.write("hard/high", drop("2.5"));
   const Outcome o = c.run({"scorecard", "hard/high", "scenarios/hard", "-o", "card"});
   REQUIRE(o.status == 1);
-  REQUIRE_THAT(o.out, Contains("soft_step, own, double") && Contains("0 of   1"));
+  REQUIRE_THAT(o.out, Contains("default, own, double") && Contains("0 of   1"));
   REQUIRE_THAT(o.out, Contains("hard/high degrades: at 0.5 s: quality: it lies"));
 }
 

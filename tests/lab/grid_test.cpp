@@ -180,6 +180,7 @@ TEST_CASE("What scenario{} says of a method's keys is what --set would have it s
                                        {"contact_solver", "sequential_impulses"},
                                        {"contact_solver", "event"},
                                        {"contact_solver", "soft_step"},
+                                       {"contact_solver", "auto"},
                                        {"joint_solver", "iterative"},
                                        {"joint_solver", "direct"},
                                        {"precision", "single"},

@@ -27,7 +27,7 @@ TEST_CASE("The first column is the default method, and peers come last at 60 tic
   const std::string file = folder.write("one", fall(expecting("x", true), ", rate = 240, method = { substeps = 3 }"));
   const Grid grid = scorecard_grid({file}, {Peer::box2d, Peer::chipmunk}, {{"rate", "120"}});
   REQUIRE(grid.runs.size() == grid.columns.size());
-  REQUIRE(grid.runs.front().values == std::vector<std::string>{"soft_step", "direct", "3", "double", "120"});
+  REQUIRE(grid.runs.front().values == std::vector<std::string>{"auto", "direct", "3", "double", "120"});
   REQUIRE(grid.runs.front().repeated);
   REQUIRE(grid.columns[grid.columns.size() - 2].group == "Box2D");
   REQUIRE(grid.runs.back().peer == Peer::chipmunk);

@@ -27,7 +27,8 @@ std::string ScratchFolder::write(const std::string& name, const std::string& tex
 std::vector<std::string> all_scenarios() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator("scenarios")) {
-    if (entry.path().extension() == ".lua") paths.push_back(entry.path().string());
+    const std::string folder = entry.path().parent_path().filename().string();
+    if (folder != "include" && folder != "beyond" && entry.path().extension() == ".lua") paths.push_back(entry.path().string());
   }
   std::sort(paths.begin(), paths.end());
   return paths;

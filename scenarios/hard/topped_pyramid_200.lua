@@ -1,0 +1,12 @@
+-- Two hundred times as heavy as each of those that carry it.
+scenario {
+  title = "Pyramid with a heavy top, 200 to 1", duration = 8,
+  rate = 60, fps = 60, gravity = {0, -10}, method = { substeps = 4 },
+  description = "A box two hundred times as heavy falls on a pyramid: sweeps let it sink or break through.",
+  view = { center = {0, 10.6}, height = 24 }, layers = { "bodies", "contacts" },
+  golden = { frames = { 479 }, size = {480, 270} },
+}
+include "include/gates.lua"
+include "include/topped_pyramid.lua"
+
+topped_pyramid(200)
