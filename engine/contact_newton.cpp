@@ -45,6 +45,29 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 bool ContactNewton::plan(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions, double most_work) {
+  if (!is_planned_for(rows, motions)) {
+    planned_ = make_plan(rows, motions, most_work);
+    if (!planned_) return false;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) scale_row(rows_[i], rows[i].term, motions);
+  stiffness_ = 0;
+  return true;
+}
+
+/// Mostly the same bodies touch as in the tick before.
+bool ContactNewton::is_planned_for(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) const {
+  if (!planned_ || rows.size() != rows_.size()) return false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Term& t = rows[i].term;
+    const Row& row = rows_[i];
+    if (row.body_a != t.body_a || row.body_b != t.body_b) return false;
+    if ((row.a >= 0) != is_moved(motions[t.body_a]) || (row.b >= 0) != is_moved(motions[t.body_b])) return false;
+  }
+  return true;
+}
+
+bool ContactNewton::make_plan(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions,
+                              double most_work) {
   bodies_.clear();
   for (const ContactRow& row : rows) {
     if (is_moved(motions[row.term.body_a])) bodies_.push_back(row.term.body_a);
@@ -55,7 +78,14 @@ bool ContactNewton::plan(const std::vector<ContactRow>& rows, const std::vector<
   rows_.assign(rows.size(), {});
   const std::vector<std::vector<int>> below = order_bodies(rows);
   if (!matrix_.plan(below, std::vector<int>(bodies_.size(), 3), most_work)) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i) scale_row(rows_[i], rows[i].term, motions);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows_[i];
+    row.body_a = rows[i].term.body_a;
+    row.body_b = rows[i].term.body_b;
+    if (row.a >= 0) row.place_a = matrix_.place_of(row.a, row.a);
+    if (row.b >= 0) row.place_b = matrix_.place_of(row.b, row.b);
+    if (row.a >= 0 && row.b >= 0) row.place_between = matrix_.place_of(std::max(row.a, row.b), std::min(row.a, row.b));
+  }
   change_.assign(3 * bodies_.size(), 0);
   return true;
 }
@@ -107,15 +137,12 @@ void ContactNewton::scale_row(Row& row, const Term& t, const std::vector<Motion>
   if (row.b >= 0) set(row.on_b, t.body_b, 1, t.arm_b);
   const double response = product(row.on_a, row.on_a) + product(row.on_b, row.on_b);
   row.size = std::sqrt(response);
-  if (row.a >= 0) row.place_a = matrix_.place_of(row.a, row.a);
-  if (row.b >= 0) row.place_b = matrix_.place_of(row.b, row.b);
-  if (row.a >= 0 && row.b >= 0) row.place_between = matrix_.place_of(std::max(row.a, row.b), std::min(row.a, row.b));
 }
 
 bool ContactNewton::solve(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_rounds) {
   begin(rows, motions);
   double stiffness = first_stiffness(rows);
-  bool done = false;
+  bool done = stiffness == stiffest && take_impulses();  // in balance already
   int failures = 0;
   for (int round = 0; round < most_rounds && !done && failures < most_failures; ++round) {
     set_stiffness(stiffness);

@@ -38,6 +38,8 @@ class ContactNewton {
 
   /// A row in units of mass 1: its speed is that of the start and this times the change of the unknowns.
   struct Row {
+    BodyIndex body_a = 0;
+    BodyIndex body_b = 0;
     int a = -1;  ///< number of the body among those that move; -1 for the others
     int b = -1;
     int place_a = 0;  ///< of its blocks in the matrix
@@ -57,6 +59,8 @@ class ContactNewton {
     Factored factored = Factored::never;
   };
 
+  bool is_planned_for(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) const;
+  bool make_plan(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions, double most_work);
   std::vector<std::vector<int>> order_bodies(const std::vector<ContactRow>& rows);
   void scale_row(Row& row, const Term& t, const std::vector<Motion>& motions);
   void begin(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions);
@@ -74,6 +78,7 @@ class ContactNewton {
   void go_along();
   bool take_impulses();
 
+  bool planned_ = false;
   std::vector<BodyIndex> bodies_;  ///< that move, in order of elimination
   std::vector<Row> rows_;
   BlockMatrixOf<double> matrix_;

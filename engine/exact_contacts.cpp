@@ -87,26 +87,29 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
                             real h, Share share) {
   share_ = share;
   group_by_bodies(contacts, joints, motions);
-  for (Group& group : groups_) group.chosen = share == Share::all || may_be_affordable(group, joints);
+  for (Group& group : groups()) group.chosen = share == Share::all || may_be_affordable(group, joints);
   std::vector<ContactConstraint>& constraints = contacts.constraints();
   if (share == Share::affordable) look_for_load(constraints, h);
   for (std::size_t i = 0; i < group_of_.size(); ++i) {
     if (groups_[group_of_[i]].chosen) add_contact(groups_[group_of_[i]], i, contacts);
   }
   add_rolling(contacts);
-  for (Group& group : groups_) {
+  for (Group& group : groups()) {
     if (!group.chosen) continue;
     const double work = share == Share::all ? most_work : most_affordable_work;
     group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, work);
     if (share == Share::affordable) group.chosen = group.by_newton || !group.joint_groups.empty();
   }
-  chosen_ = 0;
+  chosen_ = chosen_groups_ = 0;
+  moves_joints_ = false;
   for (std::size_t i = 0; i < group_of_.size(); ++i) {
     constraints[i].exact = groups_[group_of_[i]].chosen;
     chosen_ += constraints[i].exact ? 1 : 0;
   }
-  std::erase_if(groups_, [](const Group& group) { return !group.chosen; });
-  moves_joints_ = std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return !g.joint_groups.empty(); });
+  for (const Group& group : groups()) {
+    chosen_groups_ += group.chosen ? 1 : 0;
+    moves_joints_ |= group.chosen && !group.joint_groups.empty();
+  }
 }
 
 /// A first look, before anything is made. What a moving body presses against another one that does not give way has no
@@ -124,7 +127,7 @@ bool ExactContacts::may_be_affordable(const Group& group, const JointSolver* joi
 /// Soft contacts give way by what they bear. Where joints answer, exactness costs a solution of all of them per point:
 /// it is bought only where that giving way would show, by the impulses of the last substep.
 void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constraints, real h) {
-  for (Group& group : groups_) group.loaded = group.joint_groups.empty();
+  for (Group& group : groups()) group.loaded = group.joint_groups.empty();
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const ContactConstraint& c = constraints[i];
     for (int k = 0; k < c.count; ++k) {
@@ -132,7 +135,7 @@ void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constrai
       if (h * p.normal_impulse > visible_load * c.length * p.normal_mass) groups_[group_of_[i]].loaded = true;
     }
   }
-  for (Group& group : groups_) group.chosen = group.chosen && group.loaded;
+  for (Group& group : groups()) group.chosen = group.chosen && group.loaded;
 }
 
 void ExactContacts::note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions) {
@@ -144,7 +147,7 @@ void ExactContacts::note_immovable(Group& group, BodyIndex body, const std::vect
 
 std::string ExactContacts::told() const {
   return std::to_string(chosen_) + " of " + std::to_string(group_of_.size()) +
-         " contacts at the last tick were solved exactly, in " + std::to_string(groups_.size()) +
+         " contacts at the last tick were solved exactly, in " + std::to_string(chosen_groups_) +
          " islands; the others are soft, for larger islands cost too much";
 }
 
@@ -158,7 +161,7 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
   for (std::size_t g = 0; g < joint_groups; ++g) {
     for (const BodyIndex body : joints->bodies_of(g)) links.push_back({joints->bodies_of(g).front(), body});
   }
-  groups_.clear();
+  used_ = 0;
   const std::vector<std::uint32_t> island = number_islands(takes_part, links);
   const std::size_t none = motions.size();
   std::vector<std::size_t> group_of_island(motions.size() + 1, none);
@@ -166,8 +169,8 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
   for (const ContactConstraint& c : contacts.constraints()) {
     std::size_t& group = group_of_island[island[moved_body(c, motions)]];
     if (group == none) {
-      group = groups_.size();
-      groups_.emplace_back();
+      group = used_;
+      add_group();
     }
     ++groups_[group].contacts;
     note_immovable(groups_[group], c.body_a, motions);
@@ -180,6 +183,19 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
     if (group == none) continue;
     groups_[group].joint_groups.push_back(g);
   }
+}
+
+/// In the place of one of the tick before: what that one has room for serves again.
+void ExactContacts::add_group() {
+  if (used_ == groups_.size()) groups_.emplace_back();
+  Group& group = groups_[used_++];
+  group.contacts = 0;
+  group.movers = 0;
+  group.parts = false;
+  group.immovables.clear();
+  group.rows.clear();
+  group.joint_groups.clear();
+  group.response.clear();
 }
 
 void ExactContacts::add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const {
@@ -227,7 +243,8 @@ void ExactContacts::solve_positions(ContactSolver& contacts, const JointSolver* 
 /// closed points since the last call, relative to what counts as closed.
 real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach) {
   real largest = 0;
-  for (Group& group : groups_) {
+  for (Group& group : groups()) {
+    if (!group.chosen) continue;
     for (ContactRow& row : group.rows) {
       if (row.kind == RowKind::roll) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
@@ -252,7 +269,8 @@ real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<M
 void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
                                      Reach reach) {
   const std::vector<real>& belts = contacts.surface_speeds();
-  for (Group& group : groups_) {
+  for (Group& group : groups()) {
+    if (!group.chosen) continue;
     for (ContactRow& row : group.rows) {
       if (row.kind == RowKind::roll) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
@@ -275,7 +293,8 @@ void ExactContacts::solve_all(ContactSolver& contacts, const JointSolver* joints
     ConstraintPoint& p = contacts.constraints()[row.constraint].points[row.place];
     return row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
   };
-  for (Group& group : groups_) {
+  for (Group& group : groups()) {
+    if (!group.chosen) continue;
     for (ContactRow& row : group.rows) {
       row.given = impulse_of(row);
       if (row.kind == RowKind::slip) row.coefficient = friction_of(contacts.constraints()[row.constraint]);

@@ -14,6 +14,7 @@
 /// be, and after the second half of the forces the velocities are put right.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ class ExactContacts {
   /// `contacts.prepare`. Joints take part if there are any.
   void prepare(ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions, real h,
                Share share);
-  bool empty() const { return groups_.empty(); }
+  bool empty() const { return chosen_groups_ == 0; }
   /// What is solved, as part of a sentence: "3 of 5 contacts at the last tick were solved exactly, in 2 islands".
   std::string told() const;
   /// Changes velocities so that drifting for `h` leaves no overlap. Joints must have been solved for positions.
@@ -70,6 +71,8 @@ class ExactContacts {
   };
 
   void group_by_bodies(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
+  std::span<Group> groups() { return {groups_.data(), used_}; }
+  void add_group();
   void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
   static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
   static bool may_be_affordable(const Group& group, const JointSolver* joints);
@@ -83,9 +86,11 @@ class ExactContacts {
   void try_responses(Group& group, const JointSolver& joints, const std::vector<Motion>& motions);
 
   Share share_ = Share::all;
-  std::vector<Group> groups_;
+  std::vector<Group> groups_;  ///< the first of which are this tick's; the others are kept for their room
+  std::size_t used_ = 0;
   std::vector<std::size_t> group_of_;  ///< of every constraint
   std::size_t chosen_ = 0;             ///< constraints of the groups that are solved
+  std::size_t chosen_groups_ = 0;
   std::vector<Motion> scratch_;
   bool moves_joints_ = false;
 };

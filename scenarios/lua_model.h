@@ -105,7 +105,8 @@ struct Model {
   /// Notes what a command has made, which somebody else applied.
   void adopt(const Command& command);
   bool has_callbacks() const {
-    return !timers.empty() || !contact_handlers.empty() || !separation_handlers.empty() || !break_handlers.empty() || !sleep_handlers.empty();
+    return !timers.empty() || !contact_handlers.empty() || !separation_handlers.empty() || !break_handlers.empty() ||
+           !sleep_handlers.empty();
   }
 
   std::int64_t tick() const { return simulation != nullptr ? simulation->tick() : 0; }

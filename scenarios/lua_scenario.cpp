@@ -25,7 +25,8 @@ constexpr Name golden_keys[] = {{"frames"}, {"size"}};
 constexpr Name theme_names[] = {{"light"}, {"dark"}, {"print"}};
 constexpr Name integrator_names[] = {{"symplectic_euler"},  {"verlet"},         {"suzuki4"}, {"rk4"},
                                      {"implicit_midpoint"}, {"gauss_legendre6"}};
-constexpr Name contact_solver_names[] = {{"auto"}, {"soft_step"}, {"sequential_impulses"}, {"ngs"}, {"exact"}, {"event"}};
+constexpr Name contact_solver_names[] = {{"auto"}, {"soft_step"}, {"sequential_impulses"},
+                                         {"ngs"},  {"exact"},     {"event"}};
 constexpr Name joint_solver_names[] = {{"direct"}, {"iterative"}};
 constexpr Name precision_names[] = {{"single"}, {"double"}};
 constexpr Name effect_names[] = {{"gravity"},       {"springs"}, {"contacts"},  {"friction"},

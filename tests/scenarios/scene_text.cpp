@@ -28,7 +28,8 @@ std::vector<std::string> all_scenarios() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator("scenarios")) {
     const std::string folder = entry.path().parent_path().filename().string();
-    if (folder != "include" && folder != "beyond" && entry.path().extension() == ".lua") paths.push_back(entry.path().string());
+    if (folder != "include" && folder != "beyond" && entry.path().extension() == ".lua")
+      paths.push_back(entry.path().string());
   }
   std::sort(paths.begin(), paths.end());
   return paths;
