@@ -156,6 +156,7 @@ void World::prepare_solvers() {
       const real hertz = method_.contact_hz ? static_cast<real>(*method_.contact_hz) : contact_stiffness / h_;
       contact_solver_.prepare(contacts_, shapes_, motions_, make_softness(hertz, contact_damping_ratio, h_),
                               {on(Effect::friction), on(Effect::rolling_resistance), on(Effect::surface_speed)});
+      if (contact_solver_.parts_overlaps() && on(Effect::joints)) part_jointed_by_velocity();
       if (may_be_exact()) prepare_exact_contacts();
     });
   }

@@ -92,6 +92,7 @@ class World final : public Simulation {
   void find_contacts();
   void prepare_solvers();
   void prepare_exact_contacts();
+  void part_jointed_by_velocity();
   void advance(real h);
   void substep(real h);
   void pull_and_damp(real h);

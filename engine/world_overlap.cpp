@@ -39,14 +39,24 @@ real World::speed_limit_of_parting(const std::vector<Motion>& before, real h) co
   return part;
 }
 
+/// What hangs on rigid joints is driven out by velocities, as ever: moving it would open them.
+void World::part_jointed_by_velocity() {
+  const std::vector<std::uint8_t> jointed = jointed_bodies();
+  for (ContactConstraint& c : contact_solver_.constraints()) {
+    if (jointed[c.body_a] != 0 || jointed[c.body_b] != 0) c.push_speed = push_rate * c.length;
+  }
+}
+
 /// What lifts them is work from outside: nobody could have put them there without.
 void World::part_overlaps(real h) {
   const std::vector<Motion> before = motions_;
   const double energy_before = potential_energy();
   contact_solver_.part(motions_, h);
   const real part = speed_limit_of_parting(before, h);
+  const std::vector<std::uint8_t> jointed = jointed_bodies();
   for (BodyIndex i = 1; i < bodies_.size(); ++i) {
     Motion& m = motions_[i];
+    if (jointed[i] != 0) m = before[i];
     const real turn = part * (m.angle - before[i].angle);
     m.delta = before[i].delta + part * (m.delta - before[i].delta);
     m.rotation = turned(before[i].rotation, turn);
