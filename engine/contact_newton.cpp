@@ -319,14 +319,14 @@ void ContactNewton::go_along() {
   double slope_low = -steepest;
   double slope_high = go_to(1);
   for (int trial = 0; trial < most_trials && slope_high > flat * steepest; ++trial) {
-    const double middle = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
-    const double slope_there = go_to(middle);
+    const double between = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
+    const double slope_there = go_to(between);
     if (std::abs(slope_there) <= flat * steepest) return;
     if (slope_there < 0) {
-      low = middle;
+      low = between;
       slope_low = slope_there;
     } else {
-      high = middle;
+      high = between;
       slope_high = slope_there;
     }
   }
