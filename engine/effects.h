@@ -15,6 +15,7 @@ struct EffectDecision {
   Effect effect{};
   bool on = false;
   std::string why;
+  std::string how = {};  ///< what its solver found out while it ran, where that decided how it went on; mostly empty
 };
 
 /// Counts what a scene holds, to infer from it what must be simulated. Only ever grows: an effect that is on with

@@ -87,41 +87,40 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
                             real h, Share share) {
   share_ = share;
   group_by_bodies(contacts, joints, motions);
-  for (Group& group : groups()) group.chosen = share == Share::all || may_be_affordable(group, joints);
+  for (Group& group : groups()) group.left = share == Share::all ? Left::solved : first_look(group, joints);
   std::vector<ContactConstraint>& constraints = contacts.constraints();
   if (share == Share::affordable) look_for_load(constraints, h);
   for (std::size_t i = 0; i < group_of_.size(); ++i) {
-    if (groups_[group_of_[i]].chosen) add_contact(groups_[group_of_[i]], i, contacts);
+    if (groups_[group_of_[i]].chosen()) add_contact(groups_[group_of_[i]], i, contacts);
   }
   add_rolling(contacts);
   for (Group& group : groups()) {
-    if (!group.chosen) continue;
+    if (!group.chosen()) continue;
     const double work = share == Share::all ? most_work : most_affordable_work;
     group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, work);
-    if (share == Share::affordable) group.chosen = group.by_newton || !group.joint_groups.empty();
+    if (share == Share::affordable && !group.by_newton && group.joint_groups.empty()) group.left = Left::large;
   }
-  chosen_ = chosen_groups_ = 0;
+  for (std::size_t i = 0; i < group_of_.size(); ++i) constraints[i].exact = groups_[group_of_[i]].chosen();
+  chosen_groups_ = 0;
   moves_joints_ = false;
-  for (std::size_t i = 0; i < group_of_.size(); ++i) {
-    constraints[i].exact = groups_[group_of_[i]].chosen;
-    chosen_ += constraints[i].exact ? 1 : 0;
-  }
   for (const Group& group : groups()) {
-    chosen_groups_ += group.chosen ? 1 : 0;
-    moves_joints_ |= group.chosen && !group.joint_groups.empty();
+    chosen_groups_ += group.chosen() ? 1 : 0;
+    moves_joints_ |= group.chosen() && !group.joint_groups.empty();
   }
 }
 
 /// A first look, before anything is made. What a moving body presses against another one that does not give way has no
 /// solution; joints that are swept would be left out of the matrix, and stops answer only one way; what is inside each
 /// other since it met is moved apart more gently than by velocities.
-bool ExactContacts::may_be_affordable(const Group& group, const JointSolver* joints) {
-  if (group.movers > 0 && group.immovables.size() > 1) return false;
+ExactContacts::Left ExactContacts::first_look(const Group& group, const JointSolver* joints) {
+  if (group.movers > 0 && group.immovables.size() > 1) return Left::squeezed;
+  if (group.parts) return Left::overlaps;
   for (const std::size_t g : group.joint_groups) {
-    if (joints->has_stops(g)) return false;
+    if (joints->has_stops(g)) return Left::stops;
   }
-  if (group.parts || (joints != nullptr && joints->sweeps())) return false;
-  return group.contacts <= (group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints);
+  if (joints != nullptr && joints->sweeps()) return Left::nets;
+  const std::size_t most = group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints;
+  return group.contacts <= most ? Left::solved : Left::large;
 }
 
 /// Soft contacts give way by what they bear. Where joints answer, exactness costs a solution of all of them per point:
@@ -135,7 +134,9 @@ void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constrai
       if (h * p.normal_impulse > visible_load * c.length * p.normal_mass) groups_[group_of_[i]].loaded = true;
     }
   }
-  for (Group& group : groups()) group.chosen = group.chosen && group.loaded;
+  for (Group& group : groups()) {
+    if (group.chosen() && !group.loaded) group.left = Left::unloaded;
+  }
 }
 
 void ExactContacts::note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions) {
@@ -145,10 +146,40 @@ void ExactContacts::note_immovable(Group& group, BodyIndex body, const std::vect
   group.movers += is_mover(motions[body]) ? 1 : 0;
 }
 
+const char* ExactContacts::reason(Left left) {
+  switch (left) {
+    case Left::solved:
+      return "";
+    case Left::squeezed:
+      return "a body that moves regardless presses them against another";
+    case Left::overlaps:
+      return "bodies of theirs overlap since they met";
+    case Left::stops:
+      return "their joints have stops";
+    case Left::nets:
+      return "their joints are solved one by one";
+    case Left::large:
+      return "their islands are too large";
+    case Left::unloaded:
+      return "they bear too little to give way visibly";
+  }
+  return "";
+}
+
 std::string ExactContacts::told() const {
-  return std::to_string(chosen_) + " of " + std::to_string(group_of_.size()) +
-         " contacts at the last tick were solved exactly, in " + std::to_string(chosen_groups_) +
-         " islands; the others are soft, for larger islands cost too much";
+  if (group_of_.empty()) return "nothing touched at the last tick";
+  std::size_t counts[static_cast<std::size_t>(Left::unloaded) + 1] = {};
+  for (const Group& group : std::span(groups_.data(), used_))
+    counts[static_cast<std::size_t>(group.left)] += group.contacts;
+  std::string text = "at the last tick " + std::to_string(counts[0]) + " of " + std::to_string(group_of_.size()) +
+                     " contacts were solved exactly";
+  if (chosen_groups_ > 0)
+    text += ", in " + std::to_string(chosen_groups_) + (chosen_groups_ == 1 ? " island" : " islands");
+  for (std::size_t left = 1; left < std::size(counts); ++left) {
+    if (counts[left] == 0) continue;
+    text += ", " + std::to_string(counts[left]) + " softly: " + reason(static_cast<Left>(left));
+  }
+  return text;
 }
 
 void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSolver* joints,
@@ -217,7 +248,7 @@ void ExactContacts::add_rolling(const ContactSolver& contacts) {
   const std::vector<RollingRows::Row>& rolling = contacts.rolling();
   for (std::size_t i = 0; i < rolling.size(); ++i) {
     Group& group = groups_[group_of_[rolling[i].constraint]];
-    if (!group.chosen) continue;
+    if (!group.chosen()) continue;
     std::vector<ContactRow>& rows = group.rows;
     const auto of_same = [&](const ContactRow& row) { return row.constraint == rolling[i].constraint; };
     const auto first = std::find_if(rows.begin(), rows.end(), of_same);
@@ -244,7 +275,7 @@ void ExactContacts::solve_positions(ContactSolver& contacts, const JointSolver* 
 real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach) {
   real largest = 0;
   for (Group& group : groups()) {
-    if (!group.chosen) continue;
+    if (!group.chosen()) continue;
     for (ContactRow& row : group.rows) {
       if (row.kind == RowKind::roll) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
@@ -270,7 +301,7 @@ void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver*
                                      Reach reach) {
   const std::vector<real>& belts = contacts.surface_speeds();
   for (Group& group : groups()) {
-    if (!group.chosen) continue;
+    if (!group.chosen()) continue;
     for (ContactRow& row : group.rows) {
       if (row.kind == RowKind::roll) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
@@ -294,7 +325,7 @@ void ExactContacts::solve_all(ContactSolver& contacts, const JointSolver* joints
     return row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
   };
   for (Group& group : groups()) {
-    if (!group.chosen) continue;
+    if (!group.chosen()) continue;
     for (ContactRow& row : group.rows) {
       row.given = impulse_of(row);
       if (row.kind == RowKind::slip) row.coefficient = friction_of(contacts.constraints()[row.constraint]);

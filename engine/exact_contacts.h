@@ -45,7 +45,8 @@ class ExactContacts {
   void prepare(ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions, real h,
                Share share);
   bool empty() const { return chosen_groups_ == 0; }
-  /// What is solved, as part of a sentence: "3 of 5 contacts at the last tick were solved exactly, in 2 islands".
+  /// What is solved and why the rest is not, as part of a sentence: "at the last tick 3 of 5 contacts were solved
+  /// exactly, in 1 island, and 2 were soft: their joints have stops".
   std::string told() const;
   /// Changes velocities so that drifting for `h` leaves no overlap. Joints must have been solved for positions.
   void solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions, real h,
@@ -56,11 +57,14 @@ class ExactContacts {
   bool moves_joints() const { return moves_joints_; }
 
  private:
+  /// Why a group is left to soft contacts.
+  enum class Left : std::uint8_t { solved, squeezed, overlaps, stops, nets, large, unloaded };
+
   struct Group {
     std::size_t contacts = 0;
     std::vector<BodyIndex> immovables;  ///< that its contacts press against
     int movers = 0;                     ///< how many of them move
-    bool chosen = false;
+    Left left = Left::solved;
     bool parts = false;   ///< some of its bodies are inside each other since they met
     bool loaded = false;  ///< soft contacts would show what they bear
     std::vector<ContactRow> rows;
@@ -68,6 +72,8 @@ class ExactContacts {
     std::vector<double> response;  ///< of every row to every other one; empty where not needed
     ContactNewton newton;
     bool by_newton = false;  ///< its factors are not too large, and no joint answers
+
+    bool chosen() const { return left == Left::solved; }
   };
 
   void group_by_bodies(const ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions);
@@ -75,7 +81,8 @@ class ExactContacts {
   void add_group();
   void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
   static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
-  static bool may_be_affordable(const Group& group, const JointSolver* joints);
+  static Left first_look(const Group& group, const JointSolver* joints);
+  static const char* reason(Left left);
   void look_for_load(const std::vector<ContactConstraint>& constraints, real h);
   void add_rolling(const ContactSolver& contacts);
   real set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach);
@@ -89,7 +96,6 @@ class ExactContacts {
   std::vector<Group> groups_;  ///< the first of which are this tick's; the others are kept for their room
   std::size_t used_ = 0;
   std::vector<std::size_t> group_of_;  ///< of every constraint
-  std::size_t chosen_ = 0;             ///< constraints of the groups that are solved
   std::size_t chosen_groups_ = 0;
   std::vector<Motion> scratch_;
   bool moves_joints_ = false;

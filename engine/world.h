@@ -283,6 +283,7 @@ class World final : public Simulation {
   bool sleep_is_sound() const;
 
   bool hinged_together(BodyIndex a, BodyIndex b) const;
+  std::string told_of_joints() const;
   Vec2 wind_in_force() const { return on(Effect::wind) ? wind_ : Vec2{}; }
   Vec2 effective_gravity() const { return on(Effect::gravity) ? gravity_ : Vec2{}; }
   bool is_verlet() const { return method_.integrator != Integrator::symplectic_euler; }

@@ -15,19 +15,24 @@ bool World::exists(JointId id) const {
   return index < joints_.size() && joints_[index].alive;
 }
 
-/// What the solvers have found out is a reason, too: about islands of contacts, and nets of joints.
 std::vector<EffectDecision> World::effects() const {
   std::vector<EffectDecision> decisions = listed_effects_ ? census_.decisions(*listed_effects_) : census_.decisions();
   for (EffectDecision& decision : decisions) {
-    const bool chooses = decision.effect == Effect::contacts && decision.on && may_be_exact() && !is_exact();
-    if (chooses) decision.why += "; " + exact_contacts_.told();
-    const std::size_t rows = decision.effect == Effect::joints && decision.on ? joint_solver_.rows_of_nets() : 0;
-    if (decision.effect == Effect::joints && most_substeps_ > method_.substeps)
-      decision.why += "; swings too fast for " + std::to_string(method_.substeps) + " substeps got up to " +
-                      std::to_string(most_substeps_);
-    if (rows > 0) decision.why += "; " + std::to_string(rows) + " rows of large nets are solved one by one";
+    if (!decision.on) continue;
+    if (decision.effect == Effect::contacts && may_be_exact() && !is_exact()) decision.how = exact_contacts_.told();
+    if (decision.effect == Effect::joints) decision.how = told_of_joints();
   }
   return decisions;
+}
+
+std::string World::told_of_joints() const {
+  std::string text;
+  if (most_substeps_ > method_.substeps)
+    text = "swings too fast for " + std::to_string(method_.substeps) + " substeps got up to " +
+           std::to_string(most_substeps_);
+  const std::size_t rows = joint_solver_.rows_of_nets();
+  if (rows > 0) text += (text.empty() ? "" : "; ") + std::to_string(rows) + " rows of large nets are solved one by one";
+  return text;
 }
 
 Pose World::center_pose(BodyIndex index) const { return {bodies_[index].center, motions_[index].rotation}; }

@@ -91,7 +91,8 @@ Explanation explain(Scenario& scenario) {
       table.add("narrow_phase", decision.on, decision.why, StepStage::narrow_phase);
     }
     const Cost& cost = cost_of(decision.effect);
-    table.add(name_of(decision.effect), decision.on, decision.why, cost.stage, cost.part_of);
+    const std::string how = decision.how.empty() ? "" : "; " + decision.how;
+    table.add(name_of(decision.effect), decision.on, decision.why + how, cost.stage, cost.part_of);
   }
   table.add("motion", true, "bodies move, and what they did is kept", StepStage::motion);
   const int substeps = scenario.scene.method.substeps;
