@@ -81,8 +81,10 @@ void World::go_back_to(const Trial& trial) {
 void World::bounce_what_touches(real h) {
   for (ContactConstraint& c : contact_solver_.constraints()) {
     for (int k = 0; k < c.count; ++k) {
-      const real gap = separation_of(c, c.points[k], motions_[c.body_a], motions_[c.body_b]);
-      if (gap > 0 && gap <= c.closed) c.points[k].base_separation -= 2 * gap;  // closed for certain
+      const auto gap = [&] { return separation_of(c, c.points[k], motions_[c.body_a], motions_[c.body_b]); };
+      if (gap() > c.closed) continue;
+      c.points[k].base_separation -= std::max(gap(), real(0));
+      if (gap() > 0) c.points[k].base_separation -= 2 * gap();  // what rounding has left
     }
   }
   for (Contact& contact : contacts_) {

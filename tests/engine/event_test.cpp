@@ -84,6 +84,18 @@ TEST_CASE("A ball bounces infinitely often in a finite time and then rests", "[e
   CHECK(simulation->body(BodyId(2)).position.y == Approx(0.5).margin(pick(1e-8, 5e-5)));
 }
 
+TEST_CASE("On ground so wide that coordinates tell gaps badly, a ball still rests in the end", "[event]") {
+  Scene scene = ball_above_floor(0.5, 1);
+  scene.bodies[0] = body_with(box_shape(2000, 100), {0, -50}, BodyType::fixed);
+  const auto simulation = simulate(scene);
+  run(*simulation, 2, scene.rate);  // 1.35 s after Zeno
+  const Vec2d resting = simulation->body(BodyId(2)).position;
+  run(*simulation, 0.5, scene.rate);
+  CHECK(length(simulation->body(BodyId(2)).velocity) < pick(1e-12, 1e-6));
+  CHECK(simulation->body(BodyId(2)).position.y == Approx(resting.y).margin(pick(1e-12, 1e-6)));
+  CHECK(resting.y - 0.5 < pick(1e-8, 2e-3));
+}
+
 TEST_CASE("An elastic ball keeps its energy and its beat over a thousand bounces", "[event]") {
   const auto simulation = simulate(ball_above_floor(1, 0.05));
   const double before = simulation->energy().total();
