@@ -1,4 +1,7 @@
 #include "cli/commands.h"
+#ifndef PROOFREEL_PICTURES
+#include "cli/run_peer.h"
+#endif
 #include "render/usage_error.h"
 
 namespace proofreel {
@@ -23,5 +26,11 @@ std::vector<Subcommand> absent_commands(CLI::App& program) {
 #endif
   return commands;
 }
+
+#ifndef PROOFREEL_PICTURES
+PeerRun peer_run(const std::string&, const Scenario&) {
+  throw UsageError("--peer is not in this build, which has no other engines (PROOFREEL_PICTURES=OFF).");
+}
+#endif
 
 }  // namespace proofreel

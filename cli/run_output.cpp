@@ -32,6 +32,18 @@ std::string line_of(const ExpectationResult& expectation) {
   return text.append("\n");
 }
 
+/// So that nobody takes its figures for ours.
+std::string line_of(const Stepper& peer) {
+  std::string text("  stepped by ");
+  text.append(peer.name).append(" ").append(peer.version).append(", not by proofreel (");
+  const char* gap = "";
+  for (const auto& [name, value] : peer.settings.items()) {
+    text.append(gap).append(name).append("=").append(value.is_string() ? value.get<std::string>() : value.dump());
+    gap = ", ";
+  }
+  return text.append("); the hashes are its own, of this machine\n");
+}
+
 Json json_of(const MeasureResult& measure) {
   if (!measure.unknown_for.empty())
     return {{"final", nullptr}, {"min", nullptr}, {"max", nullptr}, {"max_error", nullptr}};
@@ -42,17 +54,19 @@ Json json_of(const MeasureResult& measure) {
 
 }  // namespace
 
-std::string text_of(const RunReport& report) {
+std::string text_of(const RunReport& report, const Stepper& stepper) {
   std::string text(report.scenario);
   text.append(": ").append(std::to_string(report.ticks)).append(" ticks");
   if (report.resumed_at) text.append(" (from ").append(std::to_string(*report.resumed_at)).append(" on)");
   text.append(", trajectory hash ");
   text.append(hex(report.trajectory_hash)).append(", state hash ").append(hex(report.state_hash)).append("\n");
+  if (stepper.is_peer()) text += line_of(stepper);
   for (const MeasureResult& measure : report.measures) text += line_of(measure);
   for (const ExpectationResult& expectation : report.expectations) text += line_of(expectation);
   text.append("  energy: ").append(rounded(report.initial_energy.total())).append(" J at first, ");
   text.append(rounded(report.final_energy.total())).append(" J at the end, largest drift ");
-  return text.append(rounded(report.max_energy_drift)).append(" J\n");
+  text.append(rounded(report.max_energy_drift)).append(" J");
+  return text.append(stepper.is_peer() ? ", work done during steps included\n" : "\n");
 }
 
 Json json_of(const std::vector<ExpectationResult>& expectations) {
@@ -65,7 +79,7 @@ Json json_of(const std::vector<ExpectationResult>& expectations) {
   return list;
 }
 
-Json json_of(const RunReport& report, const std::vector<std::string>& warnings, double wall_s) {
+Json json_of(const RunReport& report, const Stepper& stepper, const std::vector<std::string>& warnings, double wall_s) {
   Json measures = Json::object();
   for (const MeasureResult& measure : report.measures) measures[measure.name] = json_of(measure);
   Json json{{"scenario", report.scenario},
@@ -80,7 +94,8 @@ Json json_of(const RunReport& report, const std::vector<std::string>& warnings, 
               {"max_drift", report.max_energy_drift}}},
             {"energy_grew", nullptr},
             {"wall_s", wall_s},
-            {"warnings", warnings}};
+            {"warnings", warnings},
+            {"engine", {{"name", stepper.name}, {"version", stepper.version}, {"settings", stepper.settings}}}};
   if (report.energy_grew)
     json["energy_grew"] = {{"tick", report.energy_grew->tick}, {"joules", report.energy_grew->joules}};
   if (report.resumed_at) json["resumed_at"] = *report.resumed_at;

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/run_peer.h"
 #include "cli/scenario_files.h"
 #include "cli/score_options.h"
 #include "golden/json.h"
 #include "lab/score_text.h"
-#include "render/usage_error.h"
 
 namespace proofreel {
 namespace {
@@ -23,11 +23,7 @@ struct Options {
 
 std::vector<Peer> peers_named(const std::vector<std::string>& names) {
   std::set<Peer> peers;
-  for (const std::string& name : names) {
-    const std::optional<Peer> peer = peer_named(name);
-    if (!peer) throw UsageError("There is no peer \"" + name + "\": known are \"box2d\" and \"chipmunk\".");
-    peers.insert(*peer);
-  }
+  for (const std::string& name : names) peers.insert(peer_meant(name));
   return {peers.begin(), peers.end()};
 }
 

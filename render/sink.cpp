@@ -116,6 +116,12 @@ class RawSink final : public Sink {
   }
 };
 
+/// Nobody compresses pictures by x264's settings.
+void check_no_film_settings(const std::string& out, const FilmSettings& settings) {
+  if (!settings.preset && !settings.crf) return;
+  throw UsageError("--preset and --crf are for films in H.264, which " + (out == "-" ? "raw RGBA" : out) + " is not.");
+}
+
 std::string ending_of(const std::string& out) { return fs::path(out).extension().string(); }
 
 bool has_number(const std::string& out) { return fs::path(out).filename().string().find('%') != std::string::npos; }
@@ -149,13 +155,15 @@ bool is_single_picture(const std::string& out) { return ending_of(out) == ".png"
 std::unique_ptr<Sink> make_sink(const std::string& out, const FilmSettings& settings) {
   check_size(settings.size);
   const std::string ending = ending_of(out);
-  if (out == "-") return std::make_unique<RawSink>();
-  if (ending == ".png" && has_number(out)) return std::make_unique<PngSequenceSink>(out, settings.first_frame);
-  if (has_number(out)) throw UsageError("Only pictures are numbered: NAME%04d.png, not " + out + ".");
-  if (ending == ".png") return std::make_unique<PngSink>(out);
-  if (ending == ".hash") return std::make_unique<HashSink>(out, settings.first_frame);
+  const bool numbered = has_number(out);
+  if (numbered && ending != ".png") throw UsageError("Only pictures are numbered: NAME%04d.png, not " + out + ".");
   if (ending == ".mp4" || ending == ".mkv") return make_video_sink(out, settings);
-  refuse_ending(out);
+  if (out != "-" && ending != ".png" && ending != ".hash") refuse_ending(out);
+  check_no_film_settings(out, settings);
+  if (out == "-") return std::make_unique<RawSink>();
+  if (ending == ".hash") return std::make_unique<HashSink>(out, settings.first_frame);
+  if (numbered) return std::make_unique<PngSequenceSink>(out, settings.first_frame);
+  return std::make_unique<PngSink>(out);
 }
 
 }  // namespace proofreel

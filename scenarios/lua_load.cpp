@@ -1,6 +1,7 @@
 // Loading: from the file's text to a scenario that can run.
 
 #include <algorithm>
+#include <cstdio>
 
 #include "scenarios/effects.h"
 #include "scenarios/lua_bodies.h"
@@ -22,6 +23,12 @@ std::vector<std::string> global_names(lua_State* state) {
   lua_pop(state, 1);
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string shown(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", seconds);
+  return text;
 }
 
 bool is_overridden(const Model& model, const std::string& path) {
@@ -69,6 +76,7 @@ void LuaScript::finish_loading() {
   if (!model_.described) throw Problem("the file never calls scenario{...}; it must, once");
   link_references();
   check_expectations();
+  check_times();
   scenario.scene = model_.scene_so_far();
   for (const int function : model_.fields) scenario.scene.fields.push_back(force_field(function));
   model_.check_method();
@@ -105,6 +113,25 @@ void LuaScript::check_expectations() {
     if (!is_overridden(model_, "duration")) throw Problem(late);
     scenario.warnings.push_back(late + ": it is not looked at");
   }
+}
+
+/// What the file itself puts after its end would be dropped without a word. A duration set from the command line may
+/// cut off what it likes, and callbacks may look ahead of it.
+void LuaScript::check_times() const {
+  const Scenario& scenario = model_.scenario;
+  if (is_overridden(model_, "duration")) return;
+  const auto check = [&](const std::string& what, double seconds) {
+    if (tick_at(seconds, scenario.scene.rate) < scenario.ticks()) return;
+    throw Problem(what + shown(seconds) + " never comes: the scenario ends at " + shown(scenario.duration) + " s");
+  };
+  for (const auto& [key, timer] : model_.timers) {
+    const char* const word = timer.period > 0 ? "every: dt = " : "at: t = ";
+    check(word, static_cast<double>(key.first) / scenario.scene.rate);
+  }
+  for (const CameraMove& move : scenario.picture.camera) check("camera: at = ", move.at);
+  for (const Caption& caption : scenario.picture.captions)
+    check("caption " + quote(caption.text) + ": from = ", caption.from);
+  for (const SlowMotion& slow : scenario.picture.slow) check("slow: from = ", slow.from);
 }
 
 std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides) {

@@ -49,6 +49,7 @@ class LuaScript : public Script {
   void finish_loading();
   void link_references();
   void check_expectations();
+  void check_times() const;
   void fire_due(lua_State* state);
   void tell_of_contacts();
   void tell_of_separations();

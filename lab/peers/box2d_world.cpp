@@ -253,4 +253,11 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
 
 std::unique_ptr<PeerWorld> make_box2d_world(Vec2d gravity) { return std::make_unique<Box2dWorld>(gravity); }
 
+PeerFacts box2d_facts() {
+  const auto number = [](int32 part) { return std::to_string(part); };
+  return {number(b2_version.major) + "." + number(b2_version.minor) + "." + number(b2_version.revision),
+          Precision::float32,
+          {{"velocity_iterations", velocity_iterations}, {"position_iterations", position_iterations}}};
+}
+
 }  // namespace proofreel

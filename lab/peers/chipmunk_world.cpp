@@ -297,4 +297,8 @@ class ChipmunkWorld final : public PeerWorld {
 
 std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity) { return std::make_unique<ChipmunkWorld>(gravity); }
 
+PeerFacts chipmunk_facts() {
+  return {cpVersionString, Precision::float64, {{"iterations", iterations}, {"collision_slop", slop}}};
+}
+
 }  // namespace proofreel

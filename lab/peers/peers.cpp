@@ -71,6 +71,8 @@ std::optional<Peer> peer_named(std::string_view name) {
   return std::nullopt;
 }
 
+PeerFacts facts_of(Peer peer) { return peer == Peer::box2d ? box2d_facts() : chipmunk_facts(); }
+
 std::string sentence(Peer peer, const BodyDef& body, std::size_t number, const std::string& clause) {
   const std::string called = body.name.empty() ? std::to_string(number) : '"' + body.name + '"';
   return std::string(name_of(peer)) + " cannot step body " + called + ": " + clause;

@@ -26,6 +26,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "engine/simulation.h"
 
@@ -37,6 +40,14 @@ enum class Peer : std::uint8_t { box2d, chipmunk };
 const char* name_of(Peer peer);
 /// By the names of the command line, "box2d" and "chipmunk".
 std::optional<Peer> peer_named(std::string_view name);
+
+/// What a report has to say of who stepped, so that nobody takes it for our engine.
+struct PeerFacts {
+  std::string version;  ///< of the library, as it says itself: "7.0.3"
+  Precision precision = Precision::float64;
+  std::vector<std::pair<std::string, std::variant<int, double>>> settings;  ///< its method, in SI units
+};
+PeerFacts facts_of(Peer peer);
 
 /// Why a peer cannot step the scene, as a sentence that names the body or joint; nothing when it can.
 std::optional<std::string> problem_for_peer(Peer peer, const Scene& scene);

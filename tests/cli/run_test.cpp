@@ -170,7 +170,11 @@ TEST_CASE("Wrong use exits with 2 and says what is wrong on standard error", "[c
                                                     {"run", "x", "--speed", "3"},
                                                     {"--quick"},
                                                     {"run", "--gl", "metal", "x"},
-                                                    {"run", "x", "--threads", "0"}};
+                                                    {"run", "x", "--threads", "0"},
+                                                    {"run", "x", "--threads", "nan"},
+                                                    {"run", "pendulum", "--set", "duration=nan"},
+                                                    {"run", "pendulum", "--set", "contact_hz=inf"},
+                                                    {"run", "pendulum", "--set", "gravity={0,nan}"}};
   for (const auto& arguments : wrong) {
     const Outcome o = proofreel_program(arguments);
     CAPTURE(arguments);
@@ -185,11 +189,6 @@ TEST_CASE("What the design has and this program has not is said by name", "[cli]
     const Outcome o = proofreel_program({name, "a", "--json", "b"});
     REQUIRE(o.status == 2);
     REQUIRE_THAT(o.err, Contains(name) && Contains("not built yet"));
-  }
-  for (const char* option : {"--peer"}) {
-    const Outcome o = proofreel_program({"run", "x", option, "y"});
-    REQUIRE(o.status == 2);
-    REQUIRE_THAT(o.err, Contains(option) && Contains("not built yet"));
   }
   for (const char* option : {"--against", "--measure", "--target", "--film"}) {
     REQUIRE_THAT(proofreel_program({"study", "x", option, "y"}).err, Contains(option) && Contains("not built yet"));

@@ -140,7 +140,11 @@ TEST_CASE("What cannot be done is refused in one sentence", "[score]") {
   refused({"study", "rest", "--map", "--film", "-o", "x"}, 2, "--film is not built yet");
   refused({"study", "rest", "--map", "--vary", "ratee=1", "-o", "x"}, 2, "did you mean \"rate\"?");
   refused({"study", "rest", "--map", "--vary", "rate=0", "-o", "x"}, 2, "--vary rate=0: rate must lie between");
-  refused({"study", "rest", "--map", "-o", "x", "--limit", "0"}, 2, "--limit");
+  for (const char* limit : {"0", "-1", "nan", "-nan", "inf", "1e400", "9s", ""}) {
+    refused({"study", "rest", "--map", "-o", "x", "--limit", limit}, 2, "--limit");
+    refused({"scorecard", "rest", "-o", "x", "--limit", limit}, 2, "--limit");
+  }
+  refused({"study", "rest", "--map", "--vary", "duration=nan", "-o", "x"}, 2, "duration");
   REQUIRE_THAT(c.run({"study", "--help"}).out, Contains("Example: proofreel study"));
   REQUIRE_THAT(c.run({"scorecard", "--help"}).out, Contains("Example: proofreel scorecard"));
 }

@@ -8,33 +8,9 @@
 
 #include "engine/simulation.h"
 #include "engine/world.h"
+#include "tests/engine/bodies.h"
 
 namespace proofreel::test {
-
-inline ShapeDef box_shape(double width, double height) {
-  ShapeDef shape;
-  shape.points = {
-      {-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}};
-  return shape;
-}
-
-inline ShapeDef disc_shape(double radius) {
-  ShapeDef shape;
-  shape.points = {{0, 0}};
-  shape.radius = radius;
-  return shape;
-}
-
-inline BodyDef body_with(const ShapeDef& shape, Vec2d position, BodyType type = BodyType::dynamic) {
-  BodyDef body;
-  body.type = type;
-  body.position = position;
-  body.shapes = {shape};
-  return body;
-}
-
-/// A floor whose top is y = 0.
-inline BodyDef floor_body() { return body_with(box_shape(100, 1), {0, -0.5}, BodyType::fixed); }
 
 inline JointDef joint_between(JointKind kind, BodyId a, Vec2d anchor_a, BodyId b, Vec2d anchor_b, double length = 0) {
   JointDef joint;

@@ -22,6 +22,15 @@ inline std::string expecting(const std::string& text, bool held) {
   return "expect(\"" + text + "\", function() return " + (held ? "true" : "false") + " end)\n";
 }
 
+/// What came out of a run of one second that took this many milliseconds of CPU time.
+inline RunResult costing(double cost_ms, Standing standing = Standing::stands) {
+  RunResult result;
+  result.standing = standing;
+  result.simulated_s = 1;
+  result.cpu_s = 1e-3 * cost_ms;
+  return result;
+}
+
 /// A folder with scenarios, and one to work in.
 class GridFolder {
  public:

@@ -14,15 +14,6 @@ namespace {
 using namespace test;
 using Catch::Matchers::Contains;
 
-/// The result whose place in the row is told by its cost.
-RunResult standing_at(double cost_ms, Standing standing = Standing::stands) {
-  RunResult result;
-  result.standing = standing;
-  result.simulated_s = 1;
-  result.cpu_s = 1e-3 * cost_ms;
-  return result;
-}
-
 Grid grid_of_size(std::size_t rows, std::size_t columns) {
   Grid grid;
   grid.rows.resize(rows);
@@ -157,16 +148,15 @@ TEST_CASE("Overlaps and gaps at the end are measured", "[grid]") {
 
 TEST_CASE("The cheapest is one of each row, or one of all, and only what stands competes", "[grid]") {
   Grid grid = grid_of_size(2, 3);
-  const std::vector<RunResult> results{standing_at(3), standing_at(1, Standing::degrades),
-                                       standing_at(2), standing_at(1, Standing::fails),
-                                       standing_at(9), standing_at(10)};
+  const std::vector<RunResult> results{
+      costing(3), costing(1, Standing::degrades), costing(2), costing(1, Standing::fails), costing(9), costing(10)};
   REQUIRE(cheapest(grid, results) == std::vector<bool>{false, false, true, false, true, false});
   grid.one_scenario = true;
   REQUIRE(cheapest(grid, results) == std::vector<bool>{false, false, true, false, false, false});
 }
 
 TEST_CASE("Where nothing stands, nothing is the cheapest", "[grid]") {
-  const std::vector<RunResult> results(2, standing_at(1, Standing::degrades));
+  const std::vector<RunResult> results(2, costing(1, Standing::degrades));
   REQUIRE(cheapest(grid_of_size(1, 2), results) == std::vector<bool>{false, false});
 }
 

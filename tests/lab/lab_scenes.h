@@ -5,34 +5,9 @@
 #include <cmath>
 
 #include "engine/simulation.h"
+#include "tests/engine/bodies.h"
 
 namespace proofreel::test {
-
-inline ShapeDef box_shape(double width, double height) {
-  const double x = width / 2;
-  const double y = height / 2;
-  ShapeDef shape;
-  shape.points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
-  return shape;
-}
-
-inline ShapeDef disc_shape(double radius) {
-  ShapeDef shape;
-  shape.points = {{0, 0}};
-  shape.radius = radius;
-  return shape;
-}
-
-inline BodyDef body_with(const ShapeDef& shape, Vec2d position, BodyType type = BodyType::dynamic) {
-  BodyDef body;
-  body.type = type;
-  body.position = position;
-  body.shapes = {shape};
-  return body;
-}
-
-/// A floor whose top is y = 0.
-inline BodyDef floor_body() { return body_with(box_shape(100, 1), {0, -0.5}, BodyType::fixed); }
 
 /// 60 ticks per second.
 inline Scene scene_of(std::vector<BodyDef> bodies) {

@@ -1,18 +1,9 @@
-#include <catch2/catch.hpp>
-
-#include "lab/peers/peers.h"
-#include "tests/lab/lab_scenes.h"
+#include "tests/lab/peer_scenes.h"
 
 namespace proofreel {
 namespace {
 
 using namespace test;
-
-constexpr double g = 9.81;
-constexpr auto first = static_cast<BodyId>(1);
-constexpr auto second = static_cast<BodyId>(2);
-
-Peer each_peer() { return GENERATE(Peer::box2d, Peer::chipmunk); }
 
 /// One box of 1 kg in empty space.
 Scene free_box() {

@@ -1,19 +1,11 @@
-#include <catch2/catch.hpp>
-
-#include "lab/peers/peers.h"
-#include "tests/lab/lab_scenes.h"
+#include "tests/lab/peer_scenes.h"
 
 namespace proofreel {
 namespace {
 
 using namespace test;
 
-constexpr double g = 9.81;
-constexpr auto first = static_cast<BodyId>(1);
-constexpr auto second = static_cast<BodyId>(2);
 constexpr JointId joint{};
-
-Peer each_peer() { return GENERATE(Peer::box2d, Peer::chipmunk); }
 
 /// A box of 1 kg at (1, 0), held by a joint to the world.
 Scene held_box(const JointDef& held) {

@@ -1,20 +1,11 @@
 #include "lab/peers/peers.h"
 
-#include <catch2/catch.hpp>
-
-#include "tests/lab/lab_scenes.h"
+#include "tests/lab/peer_scenes.h"
 
 namespace proofreel {
 namespace {
 
 using namespace test;
-
-constexpr double g = 9.81;
-constexpr auto first = static_cast<BodyId>(1);
-constexpr auto second = static_cast<BodyId>(2);
-
-/// Whose turn it is: every claim holds for both.
-Peer each_peer() { return GENERATE(Peer::box2d, Peer::chipmunk); }
 
 TEST_CASE("A falling ball of a peer falls as its Euler steps add up", "[peers]") {
   const Peer peer = each_peer();

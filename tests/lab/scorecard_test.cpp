@@ -14,14 +14,6 @@ namespace {
 using namespace test;
 using Catch::Matchers::Contains;
 
-RunResult cost(double cost_ms, Standing standing = Standing::stands) {
-  RunResult result;
-  result.standing = standing;
-  result.simulated_s = 1;
-  result.cpu_s = 1e-3 * cost_ms;
-  return result;
-}
-
 TEST_CASE("The first column is the default method, and peers come last at 60 ticks a second", "[scorecard]") {
   const GridFolder folder;
   const std::string file = folder.write("one", fall(expecting("x", true), ", rate = 240, method = { substeps = 3 }"));
@@ -57,8 +49,8 @@ TEST_CASE("Scores count outcomes and hold costs against Box2D's where both came 
   grid.columns = {{"", "ours", ""}, {"", "theirs", ""}};
   grid.runs.resize(6);
   for (const std::size_t i : {1U, 3U, 5U}) grid.runs[i].peer = Peer::box2d;
-  const std::vector<RunResult> results{cost(4), cost(2, Standing::fails),    cost(8, Standing::degrades),
-                                       cost(2), cost(7, Standing::too_slow), cost(9, Standing::stands)};
+  const std::vector<RunResult> results{costing(4), costing(2, Standing::fails),    costing(8, Standing::degrades),
+                                       costing(2), costing(7, Standing::too_slow), costing(9, Standing::stands)};
   const std::vector<MethodScore> scores = scores_of(grid, results);
   REQUIRE(scores[0].count(Standing::stands) == 1);
   REQUIRE(scores[0].count(Standing::degrades) == 1);
@@ -70,7 +62,8 @@ TEST_CASE("Scores count outcomes and hold costs against Box2D's where both came 
   REQUIRE(scores[1].to_box2d.value() == Approx(1));
   REQUIRE(scores[1].engine == "Box2D");
   REQUIRE_FALSE(default_stands(grid, results));
-  const std::vector<RunResult> good{cost(1), cost(1, Standing::fails), cost(1), cost(1), cost(1), cost(1)};
+  const std::vector<RunResult> good{costing(1), costing(1, Standing::fails), costing(1), costing(1), costing(1),
+                                    costing(1)};
   REQUIRE(default_stands(grid, good));
 }
 
@@ -79,7 +72,7 @@ TEST_CASE("Without Box2D there is nothing to hold costs against", "[scorecard]")
   grid.rows.resize(1);
   grid.columns.resize(1);
   grid.runs.resize(1);
-  REQUIRE_FALSE(scores_of(grid, {cost(1)}).front().to_box2d);
+  REQUIRE_FALSE(scores_of(grid, {costing(1)}).front().to_box2d);
 }
 
 TEST_CASE("More rows than a sheet holds are dealt out to several maps", "[scorecard]") {
@@ -90,7 +83,7 @@ TEST_CASE("More rows than a sheet holds are dealt out to several maps", "[scorec
     grid.columns.resize(2);
     grid.rows.resize(rows);
     grid.runs.resize(2 * rows);
-    write_score_files(grid, std::vector<RunResult>(2 * rows, cost(1)), {}, folder.work(), "", "");
+    write_score_files(grid, std::vector<RunResult>(2 * rows, costing(1)), {}, folder.work(), "", "");
     return read_text(folder.out() + "/runs.html");
   };
   REQUIRE_THAT(write(44), Contains("href=\"runs.png\"") && !Contains("runs-1.png"));

@@ -90,3 +90,23 @@ TEST_CASE("The same script twice gives the same hash") {
   const auto other = load_text(text, {{"seed", "4"}});
   CHECK(a.trajectory_hash != Runner(*other).finish().trajectory_hash);
 }
+
+TEST_CASE("What a file puts after its own end is refused, for nobody would see or hear of it") {
+  const std::string scene = "scenario{duration=5}\n";
+  const std::vector<std::pair<std::string, std::string>> late{
+      {"at(99, function() end)", "at: t = 99 never comes: the scenario ends at 5 s"},
+      {"at(5, function() end)", "at: t = 5 never comes"},
+      {"every(5.5, function() end)", "every: dt = 5.5 never comes"},
+      {"camera{at=6, height=3}", "camera: at = 6 never comes"},
+      {"caption{text='late', from=7}", "caption \"late\": from = 7 never comes"},
+      {"slow{from=8, to=9, factor=0.5}", "slow: from = 8 never comes"},
+      {"expect('late', function() return true end, {at=99})", "expect \"late\" comes after the end of the scenario"}};
+  for (const auto& [words, sentence] : late) {
+    CAPTURE(words);
+    CHECK_THAT(error_of(scene + words), Catch::Matchers::Contains("scene.lua: " + sentence));
+    CHECK(error_of("scenario{duration=100}\n" + words, {{"duration", "0.1"}}).empty());
+  }
+  CHECK(error_of(scene + "at(4.99, function() end) caption{text='on', from=4.9, to=99} camera{at=4, over=9, height=3}")
+            .empty());
+  CHECK(error_of("scenario{duration=0.1}\nevery(0.05, function() at(time() + 9, function() end) end)").empty());
+}
