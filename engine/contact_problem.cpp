@@ -57,7 +57,7 @@ class Problem {
   }
 
  private:
-  bool is_gap(std::size_t i) const { return rows_[i].kind == RowKind::gap; }
+  bool is_gap(std::size_t i) const { return only_pushes(rows_[i]); }
   double response(std::size_t i, std::size_t j) const { return static_cast<double>(response_[i * rows_.size() + j]); }
 
   /// What the speed would be without any of these impulses.
@@ -98,6 +98,19 @@ class Problem {
 
 }  // namespace
 
+namespace {
+
+/// What a row may give, as near to `wanted` as can be; friction and rolling resistance follow the gaps.
+real within_bounds(const std::vector<ContactRow>& rows, std::size_t i, real wanted) {
+  const ContactRow& row = rows[i];
+  if (only_pushes(row)) return row.off ? real(0) : std::max(wanted, real(0));
+  real most = 0;
+  for (std::size_t k = row.first_gap; k < row.first_gap + row.gap_count; ++k) most += row.coefficient * rows[k].given;
+  return row.off ? real(0) : std::clamp(wanted, -most, most);
+}
+
+}  // namespace
+
 bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& response, double noise,
                      std::vector<Motion>& motions) {
   const std::optional<std::vector<real>> impulses = Problem(rows, response, noise, motions).impulses();
@@ -107,6 +120,33 @@ bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& r
     rows[i].given = (*impulses)[i];
   }
   return true;
+}
+
+void solve_by_sweeps(std::vector<ContactRow>& rows, const std::vector<double>& response, std::vector<Motion>& motions,
+                     int most_sweeps) {
+  const std::size_t n = rows.size();
+  std::vector<double> speeds;
+  std::vector<real> before;
+  for (const ContactRow& row : rows) {
+    speeds.push_back(static_cast<double>(speed_of(row.term, motions) + row.bias));
+    before.push_back(row.given);
+  }
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    real largest = 0;
+    real change = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double own = response[j * n + j];
+      if (own <= 0) continue;
+      const real impulse = within_bounds(rows, j, rows[j].given - static_cast<real>(speeds[j] / own));
+      const real gained = impulse - rows[j].given;
+      for (std::size_t i = 0; i < n; ++i) speeds[i] += response[i * n + j] * static_cast<double>(gained);
+      change = std::max(change, std::abs(gained));
+      largest = std::max(largest, std::abs(impulse));
+      rows[j].given = impulse;
+    }
+    if (change <= settled * largest) break;
+  }
+  for (std::size_t i = 0; i < n; ++i) push(rows[i].term, rows[i].given - before[i], motions);
 }
 
 bool has_mover(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) {
@@ -127,19 +167,13 @@ void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     real largest = 0;
     real change = 0;
-    for (ContactRow& row : rows) {
-      real most = row.off ? real(0) : std::numeric_limits<real>::max();
-      if (row.kind != RowKind::gap) {
-        most = 0;
-        for (std::size_t k = row.first_gap; k < row.first_gap + row.gap_count; ++k)
-          most += row.coefficient * rows[k].given;
-      }
-      const real least = row.kind == RowKind::gap ? real(0) : -most;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ContactRow& row = rows[i];
       const real response = inverse_mass(row.term);
       if (response <= 0) continue;
       const real speed = speed_of(row.term, motions) + row.bias + give * response * row.given;
       const real wanted = row.given - speed / ((1 + give) * response);
-      const real impulse = std::clamp(wanted, least, most);
+      const real impulse = within_bounds(rows, i, wanted);
       push(row.term, impulse - row.given, motions);
       change = std::max(change, std::abs(impulse - row.given));
       largest = std::max(largest, std::abs(impulse));

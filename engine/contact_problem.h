@@ -14,13 +14,14 @@ inline namespace PROOFREEL_PRECISION {
 enum class RowKind : std::uint8_t {
   gap,   ///< the gap of a point: its impulse is not negative
   slip,  ///< a slip that friction holds, with no more than the coefficient times the impulse of its gap
-  roll   ///< a roll that rolling resistance holds, with no more than the lever times the impulses of its gaps
+  roll,  ///< a roll that rolling resistance holds, with no more than the lever times the impulses of its gaps
+  stop   ///< what is left to a joint's stop, as a gap: its impulse is not negative
 };
 
 struct ContactRow {
   RowKind kind = RowKind::gap;
-  std::size_t constraint = 0;
-  std::size_t place = 0;  ///< of the point in the constraint, or of the rolling row
+  std::size_t constraint = 0;  ///< or the group of joints
+  std::size_t place = 0;       ///< of the point in the constraint, or of the rolling row, or of the stop in its group
   Term term;
   std::size_t first_gap = 0;  ///< slip, roll: the rows whose impulses bound this one
   std::size_t gap_count = 0;
@@ -29,6 +30,9 @@ struct ContactRow {
   real given = 0;        ///< impulse of this substep so far
   bool off = false;      ///< a gap that is open: takes no impulse
 };
+
+/// Whether its impulse is bound by nothing but its sign.
+inline bool only_pushes(const ContactRow& row) { return row.kind == RowKind::gap || row.kind == RowKind::stop; }
 
 /// Pivoting takes time in proportion to the cube of the rows; more than these are swept.
 inline constexpr std::size_t most_rows_to_pivot = 64;
@@ -50,6 +54,9 @@ bool has_mover(const std::vector<ContactRow>& rows, const std::vector<Motion>& m
 
 /// Row after row takes the impulse it needs at the moment, until nothing changes any more, or so many times.
 void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_sweeps);
+/// The same by the responses of the rows to each other: where joints answer, what the bodies alone would do is not it.
+void solve_by_sweeps(std::vector<ContactRow>& rows, const std::vector<double>& response, std::vector<Motion>& motions,
+                     int most_sweeps);
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel

@@ -19,6 +19,8 @@ constexpr std::size_t most_affordable_with_joints = 16;
 /// A soft contact gives way by about 1.6 h times the speed that its impulse of a substep makes; a five hundredth of the
 /// thickness shows.
 constexpr real visible_load = real(0.00125);
+/// Where stops take part contacts are solved exactly up to this speed between the surfaces, in thicknesses per second.
+constexpr real fastest_with_stops = 3;
 /// Of Newton's method, which then has settled, or hardly will.
 constexpr int most_newton_rounds = 40;
 constexpr int most_affordable_rounds = 6;
@@ -33,6 +35,10 @@ constexpr double noise_of_joints = sizeof(real) == sizeof(double) ? 1e-9 : 1e-5;
 
 BodyIndex moved_body(const ContactConstraint& c, const std::vector<Motion>& motions) {
   return is_moved(motions[c.body_a]) ? c.body_a : c.body_b;
+}
+
+real speed_at(const ContactConstraint& c, const ConstraintPoint& p, const std::vector<Motion>& motions) {
+  return length(motions[c.body_b].velocity_at(p.arm_b) - motions[c.body_a].velocity_at(p.arm_a));
 }
 
 Term term_along(const ContactConstraint& c, const ConstraintPoint& p, Vec2 direction) {
@@ -81,6 +87,8 @@ Way way_of(const ContactConstraint& c, const ConstraintPoint& p, const std::vect
           dot(after - before, perp(c.normal)) - rolled};
 }
 
+bool is_of_point(const ContactRow& row) { return row.kind == RowKind::gap || row.kind == RowKind::slip; }
+
 }  // namespace
 
 void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, const std::vector<Motion>& motions,
@@ -89,7 +97,7 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
   group_by_bodies(contacts, joints, motions);
   for (Group& group : groups()) group.left = share == Share::all ? Left::solved : first_look(group, joints);
   std::vector<ContactConstraint>& constraints = contacts.constraints();
-  if (share == Share::affordable) look_for_load(constraints, h);
+  if (share == Share::affordable) look_for_load(constraints, joints, motions, h);
   for (std::size_t i = 0; i < group_of_.size(); ++i) {
     if (groups_[group_of_[i]].chosen()) add_contact(groups_[group_of_[i]], i, contacts);
   }
@@ -98,7 +106,10 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
     if (!group.chosen()) continue;
     const double work = share == Share::all ? most_work : most_affordable_work;
     group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, work);
-    if (share == Share::affordable && !group.by_newton && group.joint_groups.empty()) group.left = Left::large;
+    if (share == Share::affordable) {
+      const bool few = group.rows.size() + group.stops <= most_rows_to_pivot;
+      if (!group.by_newton && (!few || group.joint_groups.empty())) group.left = Left::large;
+    }
   }
   for (std::size_t i = 0; i < group_of_.size(); ++i) constraints[i].exact = groups_[group_of_[i]].chosen();
   chosen_groups_ = 0;
@@ -110,32 +121,39 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
 }
 
 /// A first look, before anything is made. What a moving body presses against another one that does not give way has no
-/// solution; joints that are swept would be left out of the matrix, and stops answer only one way; what is inside each
-/// other since it met is moved apart more gently than by velocities.
+/// solution; joints that are swept would be left out of the matrix; what is inside each other since it met is moved
+/// apart more gently than by velocities.
 ExactContacts::Left ExactContacts::first_look(const Group& group, const JointSolver* joints) {
   if (group.movers > 0 && group.immovables.size() > 1) return Left::squeezed;
   if (group.parts) return Left::overlaps;
-  for (const std::size_t g : group.joint_groups) {
-    if (joints->has_stops(g)) return Left::stops;
-  }
   if (joints != nullptr && joints->sweeps()) return Left::nets;
   const std::size_t most = group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints;
   return group.contacts <= most ? Left::solved : Left::large;
 }
 
 /// Soft contacts give way by what they bear. Where joints answer, exactness costs a solution of all of them per point:
-/// it is bought only where that giving way would show, by the impulses of the last substep.
-void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constraints, real h) {
-  for (Group& group : groups()) group.loaded = group.joint_groups.empty();
+/// it is bought only where that giving way would show, by the impulses of the last substep; and with stops, each of
+/// which is a row more, only once what touches has slowed down: what tumbles shows nothing.
+void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constraints, const JointSolver* joints,
+                                  const std::vector<Motion>& motions, real h) {
+  for (Group& group : groups()) {
+    group.loaded = group.joint_groups.empty();
+    group.stops = 0;
+    group.tumbles = false;
+    for (const std::size_t g : group.joint_groups) group.stops += joints->stops_of(g);
+  }
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const ContactConstraint& c = constraints[i];
+    Group& group = groups_[group_of_[i]];
     for (int k = 0; k < c.count; ++k) {
       const ConstraintPoint& p = c.points[k];
-      if (h * p.normal_impulse > visible_load * c.length * p.normal_mass) groups_[group_of_[i]].loaded = true;
+      if (h * p.normal_impulse > visible_load * c.length * p.normal_mass) group.loaded = true;
+      if (group.stops > 0 && speed_at(c, p, motions) > fastest_with_stops * c.length) group.tumbles = true;
     }
   }
   for (Group& group : groups()) {
     if (group.chosen() && !group.loaded) group.left = Left::unloaded;
+    if (group.chosen() && group.tumbles) group.left = Left::tumbling;
   }
 }
 
@@ -154,8 +172,8 @@ const char* ExactContacts::reason(Left left) {
       return "a body that moves regardless presses them against another";
     case Left::overlaps:
       return "bodies of theirs overlap since they met";
-    case Left::stops:
-      return "their joints have stops";
+    case Left::tumbling:
+      return "their joints have stops, and they move too fast for it to show";
     case Left::nets:
       return "their joints are solved one by one";
     case Left::large:
@@ -168,7 +186,7 @@ const char* ExactContacts::reason(Left left) {
 
 std::string ExactContacts::told() const {
   if (group_of_.empty()) return "nothing touched at the last tick";
-  std::size_t counts[static_cast<std::size_t>(Left::unloaded) + 1] = {};
+  std::size_t counts[static_cast<std::size_t>(Left::tumbling) + 1] = {};
   for (const Group& group : std::span(groups_.data(), used_))
     counts[static_cast<std::size_t>(group.left)] += group.contacts;
   std::string text = "at the last tick " + std::to_string(counts[0]) + " of " + std::to_string(group_of_.size()) +
@@ -260,12 +278,16 @@ void ExactContacts::add_rolling(const ContactSolver& contacts) {
   }
 }
 
-void ExactContacts::solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
-                                    real h, Reach reach) {
+void ExactContacts::solve_positions(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, real h,
+                                    Reach reach) {
   const int most_rounds = share_ == Share::all ? most_rounds_of_turning : affordable_rounds_of_turning;
   for (int round = 0; round < most_rounds; ++round) {
-    if (set_goals(contacts, motions, h, reach) <= 1 && round > 0) return;
-    solve_all(contacts, joints, motions);
+    if (set_goals(contacts, scene.motions, h, reach) <= 1 && round > 0) return;
+    for (Group& group : groups()) {
+      group.settled = round > 0 && !group.joint_groups.empty();
+      if (group.chosen() && !group.settled) take_in_stops(group, joints, scene, h);
+    }
+    solve_all(contacts, joints, scene, false);
   }
 }
 
@@ -277,7 +299,7 @@ real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<M
   for (Group& group : groups()) {
     if (!group.chosen()) continue;
     for (ContactRow& row : group.rows) {
-      if (row.kind == RowKind::roll) continue;
+      if (!is_of_point(row)) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
       const Way way = way_of(c, c.points[row.place], motions, h);
       const real straight = speed_of(row.term, motions);
@@ -297,13 +319,15 @@ real ExactContacts::set_goals(const ContactSolver& contacts, const std::vector<M
 
 /// What pressed before the drift touches after it, whatever rounding and turning have left open. What has not arrived
 /// yet, be it by a hair, must not be braked: it may be about to bounce.
-void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions,
+void ExactContacts::solve_velocities(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene,
                                      Reach reach) {
   const std::vector<real>& belts = contacts.surface_speeds();
   for (Group& group : groups()) {
     if (!group.chosen()) continue;
+    group.settled = false;
+    take_in_stops(group, joints, scene, 0);
     for (ContactRow& row : group.rows) {
-      if (row.kind == RowKind::roll) continue;
+      if (!is_of_point(row)) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
       const ConstraintPoint& p = c.points[row.place];
       if (row.kind == RowKind::slip) {
@@ -312,26 +336,54 @@ void ExactContacts::solve_velocities(ContactSolver& contacts, const JointSolver*
       }
       row.bias = 0;
       if (reach == Reach::closed) continue;
-      row.off = p.normal_impulse <= 0 && separation_of(c, p, motions[c.body_a], motions[c.body_b]) > 0;
+      row.off = p.normal_impulse <= 0 && separation_of(c, p, scene.motions[c.body_a], scene.motions[c.body_b]) > 0;
     }
   }
-  solve_all(contacts, joints, motions);
+  solve_all(contacts, joints, scene, true);
 }
 
-void ExactContacts::solve_all(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions) {
+/// The stops of its joints take part as rows after those of the contacts: those in reach of a drift of `h`, or without
+/// one those that held at the last.
+void ExactContacts::take_in_stops(Group& group, JointSolver* joints, const JointedBodies& scene, real h) {
+  std::erase_if(group.rows, [](const ContactRow& row) { return row.kind == RowKind::stop; });
+  for (const std::size_t g : group.joint_groups) {
+    JointGroup& jointed = joints->group(g);
+    if (!jointed.has_stops()) continue;
+    stops_.clear();
+    h > 0 ? jointed.find_stops(scene, h, stops_) : jointed.find_touched_stops(scene, stops_);
+    for (const Stop& stop : stops_) {
+      ContactRow& row = group.rows.emplace_back(ContactRow{RowKind::stop, g, stop.row, stop.term});
+      row.bias = stop.bias;
+      row.given = stop.given;
+    }
+    jointed.release_stops(scene);
+  }
+}
+
+void ExactContacts::solve_all(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene,
+                              bool after_drift) {
   const auto impulse_of = [&contacts](const ContactRow& row) -> real& {
     if (row.kind == RowKind::roll) return contacts.rolling()[row.place].impulse;
     ConstraintPoint& p = contacts.constraints()[row.constraint].points[row.place];
     return row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
   };
   for (Group& group : groups()) {
-    if (!group.chosen()) continue;
+    if (!group.chosen() || group.settled) continue;
+    before_.clear();
     for (ContactRow& row : group.rows) {
-      row.given = impulse_of(row);
+      if (row.kind != RowKind::stop) row.given = impulse_of(row);
       if (row.kind == RowKind::slip) row.coefficient = friction_of(contacts.constraints()[row.constraint]);
+      before_.push_back(row.given);
     }
-    solve_group(group, joints, motions);
-    for (const ContactRow& row : group.rows) impulse_of(row) = row.given;
+    solve_group(group, joints, scene.motions);
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+      const ContactRow& row = group.rows[i];
+      if (row.kind != RowKind::stop) {
+        impulse_of(row) = row.given;
+      } else {
+        joints->group(row.constraint).set_stop({row.place, row.term, 0, before_[i]}, row.given, after_drift, scene);
+      }
+    }
   }
 }
 
@@ -343,7 +395,11 @@ void ExactContacts::solve_group(Group& group, const JointSolver* joints, std::ve
   const double noise = group.joint_groups.empty() ? noise_of_contacts : noise_of_joints;
   if (few && solve_by_pivots(group.rows, group.response, noise, motions)) return;
   if (group.by_newton && group.newton.solve(group.rows, motions, most_newton_rounds)) return;
-  solve_by_sweeps(group.rows, motions, most_sweeps);
+  if (few && !group.joint_groups.empty()) {
+    solve_by_sweeps(group.rows, group.response, motions, share_ == Share::all ? most_sweeps : most_affordable_sweeps);
+  } else {
+    solve_by_sweeps(group.rows, motions, most_sweeps);
+  }
 }
 
 /// The next substep goes on with what has not settled: unless it never will, because something that does not give way

@@ -46,27 +46,29 @@ class ExactContacts {
                Share share);
   bool empty() const { return chosen_groups_ == 0; }
   /// What is solved and why the rest is not, as part of a sentence: "at the last tick 3 of 5 contacts were solved
-  /// exactly, in 1 island, and 2 were soft: their joints have stops".
+  /// exactly, in 1 island, 2 softly: their islands are too large".
   std::string told() const;
   /// Changes velocities so that drifting for `h` leaves no overlap. Joints must have been solved for positions.
-  void solve_positions(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions, real h,
-                       Reach reach);
+  void solve_positions(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, real h, Reach reach);
   /// Changes velocities so that nothing that touches approaches. Joints must have been solved for velocities.
-  void solve_velocities(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions, Reach reach);
+  void solve_velocities(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, Reach reach);
   /// Whether a group of contacts moves jointed bodies, whose joints have to be solved again after it.
   bool moves_joints() const { return moves_joints_; }
 
  private:
   /// Why a group is left to soft contacts.
-  enum class Left : std::uint8_t { solved, squeezed, overlaps, stops, nets, large, unloaded };
+  enum class Left : std::uint8_t { solved, squeezed, overlaps, nets, large, unloaded, tumbling };
 
   struct Group {
     std::size_t contacts = 0;
     std::vector<BodyIndex> immovables;  ///< that its contacts press against
     int movers = 0;                     ///< how many of them move
     Left left = Left::solved;
-    bool parts = false;   ///< some of its bodies are inside each other since they met
-    bool loaded = false;  ///< soft contacts would show what they bear
+    bool parts = false;     ///< some of its bodies are inside each other since they met
+    std::size_t stops = 0;  ///< of its joints, reached or not
+    bool tumbles = false;   ///< has stops, and something that touches is fast
+    bool settled = false;   ///< in this round: joints have to answer before it is looked at again
+    bool loaded = false;    ///< soft contacts would show what they bear
     std::vector<ContactRow> rows;
     std::vector<std::size_t> joint_groups;
     std::vector<double> response;  ///< of every row to every other one; empty where not needed
@@ -83,10 +85,12 @@ class ExactContacts {
   static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
   static Left first_look(const Group& group, const JointSolver* joints);
   static const char* reason(Left left);
-  void look_for_load(const std::vector<ContactConstraint>& constraints, real h);
+  void look_for_load(const std::vector<ContactConstraint>& constraints, const JointSolver* joints,
+                     const std::vector<Motion>& motions, real h);
   void add_rolling(const ContactSolver& contacts);
   real set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach);
-  void solve_all(ContactSolver& contacts, const JointSolver* joints, std::vector<Motion>& motions);
+  void take_in_stops(Group& group, JointSolver* joints, const JointedBodies& scene, real h);
+  void solve_all(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, bool after_drift);
   static void solve_cheaply(Group& group, std::vector<Motion>& motions);
   void solve_group(Group& group, const JointSolver* joints, std::vector<Motion>& motions);
   void find_responses(Group& group, const JointSolver* joints, const std::vector<Motion>& motions);
@@ -98,6 +102,8 @@ class ExactContacts {
   std::vector<std::size_t> group_of_;  ///< of every constraint
   std::size_t chosen_groups_ = 0;
   std::vector<Motion> scratch_;
+  std::vector<Stop> stops_;   ///< scratch
+  std::vector<real> before_;  ///< scratch: impulses of the rows of a group
   bool moves_joints_ = false;
 };
 

@@ -14,7 +14,8 @@ inline namespace PROOFREEL_PRECISION {
 /// What the solver remembers of one row from substep to substep.
 struct RowMemory {
   real impulse = 0;      ///< of the last substep, to start the next one from
-  bool engaged = false;  ///< a one-sided row: whether it holds at present
+  bool engaged = false;  ///< a one-sided row: whether it holds at present; a motor: whether it runs at its speed
+  real missed = 0;       ///< a motor: the way it is behind its speed, rad or m
 };
 
 /// The most rows a joint has: a hinge, its two stops and its motor.

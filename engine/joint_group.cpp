@@ -52,6 +52,8 @@ void JointGroup::linearize(const JointedBodies& scene) {
     for (Row& row : rows_of(link)) {
       const Terms terms = terms_of(row.plan, joint, place, scene);
       stale_ |= terms != row.terms;
+      if (row.plan.bound == Bound::driven)
+        row.drifted = real(0.5) * (speed_of(row.terms, scene.motions) + speed_of(terms, scene.motions));
       row.terms = terms;
       row.scale = scale_of(row, scene);
       row.value = value_of(row.plan, joint, place, scene, 0);
@@ -106,6 +108,7 @@ void JointGroup::begin_motors(const JointedBodies& scene, real h, real share) {
   for (Row& row : rows_) {
     if (row.plan.bound != Bound::driven) continue;
     const real most = h * strongest(row.plan, scene.joints[row.joint]);
+    row.counted = false;
     row.begun = share * std::clamp(memory(row, scene).impulse, -most, most);
     row.speed_before = speed_of(row.terms, scene.motions);
     work_ += static_cast<double>(row.begun * row.speed_before);

@@ -20,6 +20,14 @@
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 
+/// A stop or a rope as one problem with others: its speed plus `bias` is not to be negative, nor is its impulse.
+struct Stop {
+  std::size_t row = 0;
+  Term term;
+  real bias = 0;
+  real given = 0;  ///< impulse so far
+};
+
 class JointGroup {
  public:
   JointGroup() = default;
@@ -53,6 +61,16 @@ class JointGroup {
   void hold(std::vector<Motion>& motions) const;
   /// Whether some of its rows only push: stops and ropes.
   bool has_stops() const { return one_sided_ > 0; }
+  std::size_t stop_count() const { return static_cast<std::size_t>(one_sided_); }
+  // For those who solve stops together with what else presses (exact_contacts.h), after the group itself has.
+  /// All its stops let go in the system, so that `hold` answers without them.
+  void release_stops(const JointedBodies& scene);
+  /// The stops that hold or might be reached by drifting for `h`.
+  void find_stops(const JointedBodies& scene, real h, std::vector<Stop>& stops);
+  /// The stops that held at the drift.
+  void find_touched_stops(const JointedBodies& scene, std::vector<Stop>& stops) const;
+  /// The bodies have been pushed by this impulse instead of the one it had: before the drift, or after it.
+  void set_stop(const Stop& stop, real impulse, bool after_drift, const JointedBodies& scene);
   /// The bodies its joints move, in order.
   const std::vector<BodyIndex>& bodies() const { return bodies_; }
   /// What motors and moving kinematic bodies have put in since the last call, J.
@@ -69,7 +87,7 @@ class JointGroup {
     RowPlan plan;
     Terms terms;
     bool on = true;        ///< it is part of the system
-    bool touched = false;  ///< one-sided: it held at the start of the velocity stage
+    bool touched = false;  ///< one-sided: it held at the drift
     int at_bound = 0;      ///< driven: gives all it has, forwards (1) or backwards (-1)
     real value = 0;        ///< C at the start of this substep
     real goal = 0;         ///< what is left of C after this substep
@@ -79,6 +97,9 @@ class JointGroup {
     real pushed = 0;       ///< impulse of the velocity stage
     real pushed_before = 0;
     real speed_before = 0;  ///< driven: when its impulse began to act
+    real asked = 0;         ///< driven: the speed to run at, with what it has to catch up; 0 for all others
+    real drifted = 0;       ///< driven: the mean speed of the last drift
+    bool counted = true;    ///< driven: what it missed in that drift is
     real given = 0;         ///< impulse of this substep
     real total = 0;         ///< impulse since work was last taken
   };
@@ -164,7 +185,8 @@ class JointGroup {
 
   // Velocities (joint_group_velocities.cpp).
   void solve_bounded_velocities(const JointedBodies& scene, real h);
-  void note_speeds(const JointedBodies& scene);
+  void note_speeds(const JointedBodies& scene, real h);
+  void ask_speed(Row& row, const JointedBodies& scene, real h);
   void book_motors(const JointedBodies& scene);
   void find_corrections(const JointedBodies& scene);
   void apply_corrections(const JointedBodies& scene);

@@ -85,6 +85,10 @@ bool JointGroup::solve_positions(const JointedBodies& scene, real h) {
   }
   if (!arrived && !arrive_evenly(scene, h)) close_gently(scene, h);
   if (driven_ > 0) book_begun(scene);
+  for (const int r : bounded_) {
+    Row& row = rows_[static_cast<std::size_t>(r)];
+    row.touched = row.plan.bound == Bound::at_least && memory(row, scene).engaged;
+  }
   return moved;
 }
 

@@ -92,7 +92,6 @@ void JointGroup::prepare(const JointedBodies& scene, bool for_velocities) {
     Row& row = rows_[static_cast<std::size_t>(r)];
     switch_row(row, holds(row, scene, for_velocities));
     row.at_bound = 0;
-    row.touched = row.on;
   }
   if (stale_ || renumber_) assemble(scene.motions);
 }

@@ -7,6 +7,14 @@
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// The part of what it has missed that a motor catches up with in one substep, and the most it may have missed, in ways
+/// of a substep.
+constexpr real catching_up = real(0.2);
+constexpr real most_missed = real(0.025);
+
+}  // namespace
 
 void JointGroup::add_share(const JointedBodies& scene) {
   if (driven_ == 0) return;
@@ -33,7 +41,7 @@ void JointGroup::solve_velocities(const JointedBodies& scene, real h) {
 /// Impulses that would leave their bounds are not tried out on the bodies: where a motor works against a stop they
 /// would be enormous, and would cost the others their last digits.
 void JointGroup::solve_bounded_velocities(const JointedBodies& scene, real h) {
-  if (driven_ > 0) note_speeds(scene);
+  if (driven_ > 0) note_speeds(scene, h);
   for (int round = 1; round < most_rounds(one_sided_ + driven_); ++round) {
     const bool one_at_a_time = round > rounds_together;
     find_corrections(scene);
@@ -50,12 +58,28 @@ void JointGroup::solve_bounded_velocities(const JointedBodies& scene, real h) {
   if (driven_ > 0) book_motors(scene);
 }
 
-void JointGroup::note_speeds(const JointedBodies& scene) {
+void JointGroup::note_speeds(const JointedBodies& scene, real h) {
   for (const int r : bounded_) {
     Row& row = rows_[static_cast<std::size_t>(r)];
+    if (row.plan.bound == Bound::driven) ask_speed(row, scene, h);
     row.speed_before = speed_of(row.terms, scene.motions);
     row.pushed_before = row.pushed;
   }
+}
+
+/// Before a drift a motor gives half of what it gave in the substep before: where its load changes it is a little off
+/// its speed during the drift, and what adds up of that over many turns is of first order only. So it catches up. Not
+/// with what it could not follow because it gave all it has, and no more than a little of its speed: against what does
+/// not give way a motor must not wind itself up.
+void JointGroup::ask_speed(Row& row, const JointedBodies& scene, real h) {
+  const real speed = wanted_speed(row.plan, scene.joints[row.joint]);
+  RowMemory& kept = memory(row, scene);
+  if (!row.counted && kept.engaged) {
+    const real most = most_missed * std::abs(h * speed);
+    kept.missed = std::clamp(kept.missed + h * (speed - row.drifted), -most, most);
+  }
+  row.counted = true;
+  row.asked = speed + catching_up * kept.missed / h;
 }
 
 /// Impulses on a linear system do work by the mean of the speeds before and after, whatever comes between.
@@ -63,7 +87,10 @@ void JointGroup::book_motors(const JointedBodies& scene) {
   for (const int r : bounded_) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
     if (row.plan.bound != Bound::driven) continue;
-    memory(row, scene).impulse = row.begun + row.pushed;
+    RowMemory& kept = memory(row, scene);
+    kept.impulse = row.begun + row.pushed;
+    kept.engaged = row.on;
+    if (!row.on) kept.missed = 0;
     const real speed = real(0.5) * (row.speed_before + speed_of(row.terms, scene.motions));
     work_ += static_cast<double>((row.pushed - row.pushed_before) * speed);
   }
@@ -73,7 +100,7 @@ void JointGroup::book_motors(const JointedBodies& scene) {
 void JointGroup::find_corrections(const JointedBodies& scene) {
   for (std::size_t k = 0; k < on_.size(); ++k) {
     const Row& row = on_row(k);
-    right_side_[k] = wanted_speed(row.plan, scene.joints[row.joint]) - speed_of(row.terms, scene.motions);
+    right_side_[k] = row.asked - speed_of(row.terms, scene.motions);
   }
   matrix_.solve(right_side_);
 }
@@ -120,7 +147,7 @@ bool JointGroup::engage_overrun_rows(const JointedBodies& scene, real h, bool on
     if (row.on || (changed && one_at_a_time)) continue;
     if (row.plan.bound == Bound::at_least && !row.touched) continue;
     const real tolerance = row_tolerance * row.scale / h;
-    const real lacking = wanted_speed(row.plan, scene.joints[row.joint]) - speed_of(row.terms, scene.motions);
+    const real lacking = row.asked - speed_of(row.terms, scene.motions);
     const bool driven = row.plan.bound == Bound::driven;
     if (driven ? static_cast<real>(row.at_bound) * lacking >= -tolerance : lacking <= tolerance) continue;
     switch_row(row, true);

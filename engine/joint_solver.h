@@ -39,9 +39,10 @@ class JointSolver {
 
   // One group of the direct solver: who is in it, and how it answers (joint_group.h).
   std::size_t group_count() const { return groups_.size(); }
-  bool has_stops(std::size_t group) const { return groups_[group].has_stops(); }
+  std::size_t stops_of(std::size_t group) const { return groups_[group].stop_count(); }
   const std::vector<BodyIndex>& bodies_of(std::size_t group) const { return groups_[group].bodies(); }
   void hold(std::size_t group, std::vector<Motion>& motions) const { groups_[group].hold(motions); }
+  JointGroup& group(std::size_t group) { return groups_[group]; }
 
   // All joints; what each of these does is told in joint_group.h.
   void linearize(const JointedBodies& scene);

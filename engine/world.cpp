@@ -270,10 +270,10 @@ void World::place_on_joints(real h) {
 
 /// Joints answer to the contacts within the solution; what turning leaves open of both is closed by going round again.
 void World::solve_exactly(real h) {
-  const JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
+  JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
   for (int round = 0; round < 2; ++round) {
     timed(StepStage::contact_solver,
-          [&] { exact_contacts_.solve_positions(contact_solver_, joints, motions_, h, reach_of_contacts()); });
+          [&] { exact_contacts_.solve_positions(contact_solver_, joints, jointed(), h, reach_of_contacts()); });
     if (!exact_contacts_.moves_joints()) return;
     timed(StepStage::joint_solver, [&] { place_on_joints(h); });
   }
@@ -303,10 +303,10 @@ void World::relax(real h) {
 }
 
 void World::relax_exactly(real h) {
-  const JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
+  JointSolver* joints = has_rigid_joints() ? &joint_solver_ : nullptr;
   for (int round = 0; round < 2; ++round) {
     timed(StepStage::contact_solver,
-          [&] { exact_contacts_.solve_velocities(contact_solver_, joints, motions_, reach_of_contacts()); });
+          [&] { exact_contacts_.solve_velocities(contact_solver_, joints, jointed(), reach_of_contacts()); });
     if (!exact_contacts_.moves_joints()) return;
     timed(StepStage::joint_solver, [&] { joint_solver_.solve_velocities(jointed(), h); });
   }

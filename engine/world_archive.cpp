@@ -70,8 +70,8 @@ void exchange(Archive& archive, T& shape) {
 
 template <typename Archive, Exchanged<RowMemory> T>
 void exchange(Archive& archive, T& memory) {
-  auto& [impulse, engaged] = memory;
-  archive(impulse, engaged);
+  auto& [impulse, engaged, missed] = memory;
+  archive(impulse, engaged, missed);
 }
 
 template <typename Archive, Exchanged<JointLimits> T>

@@ -194,6 +194,65 @@ TEST_CASE("A jointed body at rest on contacts rests, when both are solved exactl
   CHECK(simulation->joint(JointId(0)).gap < pick(1e-12, 1e-5));
 }
 
+namespace {
+
+/// Two legs of a pair of steps on ice, and half a ton on them: nothing but the hinge's stop keeps them from sliding
+/// apart.
+Scene loaded_steps() {
+  constexpr double tilt = 0.3;
+  const double top = std::cos(tilt) + 0.05 * std::sin(tilt);
+  Scene scene = with_floor(body_with(disc_shape(0.1), {0, top}));
+  scene.bodies[1].mass = 500;
+  for (const double side : {-1.0, 1.0}) {
+    BodyDef leg = body_with(box_shape(0.1, 1), {side * 0.5 * std::sin(tilt), top - 0.5 * std::cos(tilt)});
+    leg.angle = side * tilt;
+    scene.bodies.push_back(leg);
+  }
+  for (BodyDef& body : scene.bodies) body.shapes[0].friction = {0, 0};
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) scene.bodies[i].filter.group = -1;
+  scene.joints = {joint_between(JointKind::revolute, BodyId(3), {0, 0.5}, BodyId(4), {0, 0.5}),
+                  joint_between(JointKind::revolute, BodyId(2), {0, 0}, BodyId(3), {0, 0.5})};
+  scene.joints[0].limits = LimitsDef{-0.5, 0};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Where a stop and contacts bear one load they are solved together: it rests, and nothing sinks in",
+          "[contact solver]") {
+  Scene scene = loaded_steps();
+  scene.method.contact_solver = GENERATE(ContactMethod::automatic, ContactMethod::exact);
+  const auto simulation = simulate(scene);
+  const double height = simulation->body(BodyId(2)).position.y;
+  double fastest = 0;
+  for (int i = 0; i < 3 * 240; ++i) {
+    simulation->step();
+    if (i > 240) fastest = std::max(fastest, length(simulation->body(BodyId(2)).velocity));
+  }
+  CHECK(fastest < pick(1e-8, 1e-3));
+  CHECK(simulation->body(BodyId(2)).position.y == Approx(height).margin(pick(1e-5, 1e-4)));
+  CHECK(simulation->joint(JointId(0)).gap < pick(1e-10, 1e-5));
+}
+
+TEST_CASE("What falls on its stops and the floor at once gains nothing from it when solved exactly",
+          "[contact solver]") {
+  Scene scene = loaded_steps();
+  scene.method.contact_solver = ContactMethod::exact;
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    scene.bodies[i].position.y += 1;
+    scene.bodies[i].velocity = {0.7, 0};
+    scene.bodies[i].spin = 1;
+  }
+  const auto simulation = simulate(scene);
+  const double start = simulation->energy().total();
+  double most = -1e9;
+  for (int i = 0; i < 3 * 240; ++i) {
+    simulation->step();
+    most = std::max(most, simulation->energy().total() - start);
+  }
+  CHECK(most < 1e-3 * 500 * 9.81);
+}
+
 TEST_CASE("A disc rolls down a slope under every solver with two thirds of what gravity would give it",
           "[contact solver]") {
   const ContactMethod method = GENERATE(from_range(std::begin(all_methods), std::end(all_methods)));

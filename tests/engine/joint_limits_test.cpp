@@ -159,6 +159,29 @@ TEST_CASE("A motor holds what it is strong enough for, and stalls at its torque"
   }
 }
 
+TEST_CASE("A motor whose load changes all the time keeps time over many turns, not only its speed", "[joint]") {
+  Scene scene = hinged_bar();
+  scene.joints[0].motor = MotorDef{5, 100};
+  auto simulation = simulate(scene);
+  run(*simulation, 1);
+  const double begun = simulation->body(BodyId{1}).angle;
+  run(*simulation, 20);
+  CHECK(simulation->body(BodyId{1}).angle - begun == Approx(100).margin(pick(2e-3, 5e-3)));
+  CHECK(simulation->body(BodyId{1}).spin == Approx(5).epsilon(2e-3));
+}
+
+TEST_CASE("A motor does not make up for the time in which it gave all it has", "[joint]") {
+  Scene scene = wheel_on_pin();
+  scene.joints[0].motor = MotorDef{6, 0.5};
+  auto simulation = simulate(scene);
+  double fastest = 0;
+  for (int i = 0; i < 5 * 240; ++i) {
+    simulation->step();
+    fastest = std::max(fastest, simulation->body(BodyId{1}).spin);
+  }
+  CHECK(fastest < 6 * 1.006);
+}
+
 TEST_CASE("A motor holds under symplectic Euler as well", "[joint]") {
   Scene scene = hinged_bar();
   scene.method.integrator = Integrator::symplectic_euler;
