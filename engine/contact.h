@@ -24,6 +24,12 @@ struct PointImpulse {
   real tangent_total = 0;
 };
 
+/// How exact contacts have fared with the group of a contact (exact_contacts.h).
+struct Patience {
+  std::uint8_t failures = 0;    ///< ticks in which it has not settled, less those in which it has
+  std::uint8_t soft_ticks = 0;  ///< for so many more it is left to the sweeps
+};
+
 struct Contact {
   ShapeIndex shape_a = 0;
   ShapeIndex shape_b = 0;
@@ -31,8 +37,9 @@ struct Contact {
   BodyIndex body_b = 0;
   bool sensor = false;
   bool touching = false;
-  bool parting = false;      ///< they were deep inside each other when they met, and have not come apart yet
-  bool sliding = false;      ///< of the two coefficients of friction the kinetic one counts
+  bool parting = false;  ///< they were deep inside each other when they met, and have not come apart yet
+  bool sliding = false;  ///< of the two coefficients of friction the kinetic one counts
+  Patience patience;
   std::uint32_t number = 0;  ///< in order of creation
   real friction_at_rest = 0;
   real friction_sliding = 0;

@@ -32,14 +32,6 @@ constexpr double flat = 0.1;
 
 double product(const double (&a)[3], const double* x) { return a[0] * x[0] + a[1] * x[1] + a[2] * x[2]; }
 
-double speed_in_double(const Term& t, const std::vector<Motion>& motions) {
-  const Motion& a = motions[t.body_a];
-  const Motion& b = motions[t.body_b];
-  return dot(Vec2d(b.velocity) - Vec2d(a.velocity), Vec2d(t.direction)) +
-         static_cast<double>(t.arm_b) * static_cast<double>(b.spin) -
-         static_cast<double>(t.arm_a) * static_cast<double>(a.spin);
-}
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -160,6 +152,18 @@ bool ContactNewton::solve(std::vector<ContactRow>& rows, std::vector<Motion>& mo
   }
   if (done) apply(rows, motions);
   return done;
+}
+
+/// None would change if its row were alone.
+bool ContactNewton::is_in_balance(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions,
+                                  double negligible) {
+  begin(rows, motions);
+  bound(rows);
+  return std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    if (row.size <= 0) return true;
+    const double wanted = std::clamp(row.given - row.start / (row.size * row.size), row.least, row.most);
+    return std::abs(wanted - row.given) * row.size <= negligible * scale_;
+  });
 }
 
 /// Which springs to begin with, after a look at how far from balance the impulses at hand are.

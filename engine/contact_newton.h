@@ -31,6 +31,8 @@ class ContactNewton {
   /// Gives all rows their impulses at once. False, and nothing has changed, when they have not settled after so many
   /// rounds: then what was found by then can be applied all the same.
   bool solve(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_rounds);
+  /// Whether the impulses given are the solution already, but for this part of the largest.
+  bool is_in_balance(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions, double negligible);
   void apply(std::vector<ContactRow>& rows, std::vector<Motion>& motions) const;
 
  private:

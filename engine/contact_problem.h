@@ -43,6 +43,15 @@ inline bool is_moved(const Motion& m) { return m.inv_mass > 0 || m.inv_inertia >
 /// Goes its way whatever pushes back.
 inline bool is_mover(const Motion& m) { return !is_moved(m) && (!(m.velocity == Vec2{}) || m.spin != 0); }
 
+/// As speed_of, to all the digits that the motions have.
+inline double speed_in_double(const Term& t, const std::vector<Motion>& motions) {
+  const Motion& a = motions[t.body_a];
+  const Motion& b = motions[t.body_b];
+  return dot(Vec2d(b.velocity) - Vec2d(a.velocity), Vec2d(t.direction)) +
+         static_cast<double>(t.arm_b) * static_cast<double>(b.spin) -
+         static_cast<double>(t.arm_a) * static_cast<double>(a.spin);
+}
+
 /// Gives all rows their impulses at once, by complementary pivoting (lcp.h). `response` is the speed along row i per
 /// impulse along row j, at i * rows + j, known to `noise` where a row's own is 1. False, and nothing has changed, where
 /// there is no solution.

@@ -107,6 +107,7 @@ ContactConstraint ContactSolver::constraint_of(std::uint32_t index, const Contac
   c.body_b = contact.body_b;
   c.count = contact.manifold.count;
   c.sliding = contact.sliding;
+  c.patience = contact.patience;
   c.normal = contact.manifold.normal;
   c.friction_at_rest = contact.friction_at_rest;
   c.friction_sliding = contact.friction_sliding;
@@ -340,6 +341,7 @@ void ContactSolver::end_substep() {
 void ContactSolver::store(std::vector<Contact>& contacts) const {
   for (const ContactConstraint& c : constraints_) {
     contacts[c.contact].sliding = c.sliding;
+    contacts[c.contact].patience = c.patience;
     for (int k = 0; k < c.count; ++k) {
       const ConstraintPoint& p = c.points[k];
       contacts[c.contact].impulses[k] = {p.normal_impulse, p.tangent_impulse, p.normal_total, p.tangent_total};

@@ -51,6 +51,7 @@ struct ContactConstraint {
   int count = 0;
   bool sliding = false;  ///< as in Contact
   bool exact = false;    ///< solved by ExactContacts: no sweep touches it
+  Patience patience;     ///< as in Contact
   Vec2 normal;
   real friction_at_rest = 0;
   real friction_sliding = 0;

@@ -10,6 +10,11 @@
 /// slip's magnitude turn into a linear complementarity problem (Anitescu and Potra 1997). The matrix tells what speed
 /// at one point a unit impulse at another one causes; joints take their share in it, for they answer at once.
 ///
+/// Where others would do as well (Share::affordable) it has to be cheap: a group in which one body alone moves is
+/// solved by LoneBodyContacts, others by ContactNewton, and impulses that are the solution already cost no more than a
+/// look. A crowd that jostles, body rubbing along body, and does not settle tick after tick is left to the sweeps for a
+/// while; contacts remember that from tick to tick (Patience).
+///
 /// In time it is what joints do (joint_solver.h): impulses before the drift that lead the positions to where they may
 /// be, and after the second half of the forces the velocities are put right.
 
@@ -22,6 +27,7 @@
 #include "engine/contact_problem.h"
 #include "engine/contact_solver.h"
 #include "engine/joint_solver.h"
+#include "engine/lone_body_contacts.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -52,27 +58,33 @@ class ExactContacts {
   void solve_positions(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, real h, Reach reach);
   /// Changes velocities so that nothing that touches approaches. Joints must have been solved for velocities.
   void solve_velocities(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, Reach reach);
+  /// Books which groups have settled in this tick. Before `contacts.store`.
+  void end_tick(ContactSolver& contacts, const std::vector<Motion>& motions);
   /// Whether a group of contacts moves jointed bodies, whose joints have to be solved again after it.
   bool moves_joints() const { return moves_joints_; }
 
  private:
   /// Why a group is left to soft contacts.
-  enum class Left : std::uint8_t { solved, squeezed, overlaps, nets, large, unloaded, tumbling };
+  enum class Left : std::uint8_t { solved, squeezed, overlaps, nets, large, unloaded, tumbling, jostling };
+  enum class Stage : std::uint8_t { before_drift, after_drift };
 
   struct Group {
     std::size_t contacts = 0;
     std::vector<BodyIndex> immovables;  ///< that its contacts press against
     int movers = 0;                     ///< how many of them move
+    BodyIndex lone_body = 0;            ///< the only one that moves; 0 where there are more, or joints answer
     Left left = Left::solved;
     bool parts = false;     ///< some of its bodies are inside each other since they met
     std::size_t stops = 0;  ///< of its joints, reached or not
     bool tumbles = false;   ///< has stops, and something that touches is fast
-    bool settled = false;   ///< in this round: joints have to answer before it is looked at again
     bool loaded = false;    ///< soft contacts would show what they bear
     std::vector<ContactRow> rows;
     std::vector<std::size_t> joint_groups;
     std::vector<double> response;  ///< of every row to every other one; empty where not needed
     ContactNewton newton;
+    Patience patience;
+    bool failed = false;     ///< to settle in this tick
+    bool jostles = false;    ///< while failing
     bool by_newton = false;  ///< its factors are not too large, and no joint answers
 
     bool chosen() const { return left == Left::solved; }
@@ -85,14 +97,15 @@ class ExactContacts {
   static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
   static Left first_look(const Group& group, const JointSolver* joints);
   static const char* reason(Left left);
+  static bool is_patient_with(const Group& group) { return group.lone_body == 0 && group.joint_groups.empty(); }
+  void lose_patience(const std::vector<ContactConstraint>& constraints);
   void look_for_load(const std::vector<ContactConstraint>& constraints, const JointSolver* joints,
                      const std::vector<Motion>& motions, real h);
   void add_rolling(const ContactSolver& contacts);
-  real set_goals(const ContactSolver& contacts, const std::vector<Motion>& motions, real h, Reach reach);
   void take_in_stops(Group& group, JointSolver* joints, const JointedBodies& scene, real h);
-  void solve_all(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, bool after_drift);
-  static void solve_cheaply(Group& group, std::vector<Motion>& motions);
-  void solve_group(Group& group, const JointSolver* joints, std::vector<Motion>& motions);
+  bool solve(Group& group, ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, Stage stage);
+  bool solve_rows(Group& group, const JointSolver* joints, std::vector<Motion>& motions, double negligible);
+  bool solve_cheaply(Group& group, std::vector<Motion>& motions, double negligible);
   void find_responses(Group& group, const JointSolver* joints, const std::vector<Motion>& motions);
   void try_responses(Group& group, const JointSolver& joints, const std::vector<Motion>& motions);
 
@@ -101,6 +114,7 @@ class ExactContacts {
   std::size_t used_ = 0;
   std::vector<std::size_t> group_of_;  ///< of every constraint
   std::size_t chosen_groups_ = 0;
+  LoneBodyContacts lone_body_contacts_;
   std::vector<Motion> scratch_;
   std::vector<Stop> stops_;   ///< scratch
   std::vector<real> before_;  ///< scratch: impulses of the rows of a group

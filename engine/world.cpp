@@ -313,6 +313,7 @@ void World::relax_exactly(real h) {
 }
 
 void World::end_tick() {
+  if (on(Effect::contacts) && !is_exact() && may_be_exact()) exact_contacts_.end_tick(contact_solver_, motions_);
   if (on(Effect::contacts)) contact_solver_.store(contacts_);
   if (locates_impacts()) show_touches();
   take_positions();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Mark mark{'p', 'r', 'o', 'o', 'f', 'r', 's', 't'};
 /// Changes with every change of what is stored.
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 5;
 
 }  // namespace
 
@@ -120,12 +120,18 @@ void exchange(Archive& archive, T& impulse) {
   archive(normal, tangent, normal_total, tangent_total);
 }
 
+template <typename Archive, Exchanged<Patience> T>
+void exchange(Archive& archive, T& patience) {
+  auto& [failures, soft_ticks] = patience;
+  archive(failures, soft_ticks);
+}
+
 template <typename Archive, Exchanged<Contact> T>
 void exchange(Archive& archive, T& contact) {
-  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, number, friction_at_rest,
+  auto& [shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, patience, number, friction_at_rest,
          friction_sliding, restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses,
          rolling_impulse] = contact;
-  archive(shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, number, friction_at_rest,
+  archive(shape_a, shape_b, body_a, body_b, sensor, touching, parting, sliding, patience, number, friction_at_rest,
           friction_sliding, restitution, rolling_resistance, surface_speed, approach, manifold, a_to_b, impulses,
           rolling_impulse);
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "engine/elementary.h"
 #include "tests/engine/scenes.h"
@@ -345,4 +346,39 @@ TEST_CASE("A thousand tons on two kilograms do not sink in when solved exactly",
   scene.bodies[1].mass = scene.bodies[2].mass = 1;
   scene.bodies[3].mass = 1e6;
   CHECK(state_after(scene, 2, BodyId(4)).position.y == Approx(0.35).margin(pick(1e-8, 1e-3)));
+}
+
+namespace {
+
+/// Discs that fall into a bin pell-mell.
+Scene poured_discs() {
+  Scene scene;
+  scene.bodies = {floor_body(), body_with(box_shape(1, 20), {-2.5, 10}, BodyType::fixed),
+                  body_with(box_shape(1, 20), {2.5, 10}, BodyType::fixed)};
+  for (int i = 0; i < 24; ++i) {
+    const Vec2d place{-1.5 + i % 4 + 0.05 * (i % 3), 1.0 + i / 4};
+    scene.bodies.push_back(body_with(disc_shape(0.35), place));
+  }
+  return scene;
+}
+
+/// "3 of 5 contacts at the last tick were solved exactly": 3 / 5.
+double exact_share(const Simulation& simulation) {
+  for (const EffectDecision& decision : simulation.effects()) {
+    if (decision.effect != Effect::contacts) continue;
+    const std::size_t of = decision.why.find(" of ");
+    const std::size_t first = decision.why.rfind(' ', of - 1) + 1;
+    return std::stod(decision.why.substr(first)) / std::stod(decision.why.substr(of + 4));
+  }
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("A crowd that jostles is left to the sweeps, and solved exactly once it lies still", "[contact solver]") {
+  const auto simulation = simulate(poured_discs());
+  run(*simulation, 1.5);
+  CHECK(exact_share(*simulation) < 0.5);
+  run(*simulation, 8.5);
+  CHECK(exact_share(*simulation) == 1);
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Mark mark{'p', 'r', 'o', 'o', 'f', 'r', 's', 't'};
 constexpr std::size_t head_size = 20;
-constexpr std::uint8_t version = 4;
+constexpr std::uint8_t version = 5;
 
 /// Everything a picture may show and a script may ask, as one number.
 std::uint64_t seen_in(const Simulation& simulation) {
