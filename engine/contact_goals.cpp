@@ -60,6 +60,9 @@ real set_goals(std::vector<ContactRow>& rows, const ContactSolver& contacts, con
     const ContactConstraint& c = contacts.constraints()[row.constraint];
     if (row.kind == RowKind::gap && row.place == 0) ways = finder.of(c);  // a contact's gaps come first
     const Way& way = ways[row.place];
+    const ConstraintPoint& p = c.points[row.place];
+    row.expected = row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
+    row.closed = row.kind == RowKind::gap && way.gap <= c.closed;
     const real straight = speed_of(row.term, motions);
     const real before = row.bias;
     if (row.kind == RowKind::gap) {

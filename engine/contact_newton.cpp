@@ -27,6 +27,16 @@ constexpr int sweeps_before = 10;
 constexpr int most_failures = 6;
 constexpr int most_steps = 40;
 constexpr int most_trials = 12;
+/// Of the only round of a large group: its springs, those of its first guess, what counts as balance, and how often it
+/// is looked for. Less exact balances are dearer in the end, for what is left is noise that no tick gets rid of.
+constexpr double firm = 1e3;
+constexpr double guessed = 1e4;
+constexpr double balanced = 1e-7;
+constexpr int most_steps_at_once = 60;
+/// Farther than this from balance is none at all.
+constexpr double unbalanced = 1e-3;
+/// Factors are kept while a step leaves less than this part of what it began with.
+constexpr double gets_on = 0.4;
 /// A way is gone to the end when the slope there is no steeper than this part of what it was at the start.
 constexpr double flat = 0.1;
 
@@ -166,6 +176,65 @@ bool ContactNewton::is_in_balance(const std::vector<ContactRow>& rows, const std
   });
 }
 
+bool ContactNewton::solve_once(std::vector<ContactRow>& rows, std::vector<Motion>& motions) {
+  begin(rows, motions);
+  bool is_known = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].kind != RowKind::roll) rows_[i].from = static_cast<double>(rows[i].expected);
+    is_known |= rows_[i].from != 0;
+  }
+  if (!is_known) guess(rows);
+  set_stiffness(firm);
+  bound(rows);
+  const bool done = minimise_with_kept_factors();
+  done ? static_cast<void>(take_impulses()) : sweep_instead(rows);
+  apply(rows, motions);
+  return done;
+}
+
+/// As if nothing could come apart or slide: what asks for the impossible gives what it may.
+void ContactNewton::guess(const std::vector<ContactRow>& rows) {
+  set_stiffness(guessed);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows_[i];
+    const std::size_t gap = rows[i].kind == RowKind::gap ? i : rows[i].first_gap;
+    row.acts = rows[gap].closed && !rows[gap].off && row.size > 0;
+    row.impulse = row.acts ? row.from - row.stiffness * speed_of(row) : 0;
+  }
+  find_residual();
+  factor_if_changed();
+  way_ = residual_;
+  matrix_.solve(way_);
+  for (std::size_t k = 0; k < way_.size(); ++k) change_[k] -= way_[k];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows_[i];
+    bound(rows[i], row);
+    const double wanted = row.acts ? row.from - row.stiffness * speed_of(row) : 0;
+    row.from = std::clamp(wanted, row.least, row.most);
+  }
+}
+
+/// Steps with factors of a slightly different matrix lead downhill as well, if not as far.
+bool ContactNewton::minimise_with_kept_factors() {
+  respond();
+  double off_balance = find_residual();
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_steps_at_once; ++step) {
+    if (off_balance <= balanced * scale_) return true;
+    if (off_balance > gets_on * before || rows_.front().factored == Factored::never) factor_if_changed();
+    before = off_balance;
+    take_step();
+    off_balance = largest_residual();
+  }
+  return off_balance <= unbalanced * scale_;
+}
+
+void ContactNewton::sweep_instead(const std::vector<ContactRow>& rows) {
+  std::fill(change_.begin(), change_.end(), 0.0);
+  for (Row& row : rows_) row.from = row.given;
+  for (int sweep = 0; sweep < sweeps_before; ++sweep) sweep_once(rows);
+}
+
 /// Which springs to begin with, after a look at how far from balance the impulses at hand are.
 double ContactNewton::first_stiffness(const std::vector<ContactRow>& rows) {
   set_stiffness(stiffest);
@@ -241,12 +310,16 @@ int ContactNewton::minimise() {
     respond();
     if (find_residual() <= settled * scale_) return step;
     factor_if_changed();
-    way_ = residual_;
-    for (double& x : way_) x = -x;
-    matrix_.solve(way_);
-    go_along();
+    take_step();
   }
   return -1;
+}
+
+void ContactNewton::take_step() {
+  way_ = residual_;
+  for (double& x : way_) x = -x;
+  matrix_.solve(way_);
+  go_along();
 }
 
 /// Impulses at the present velocities.
@@ -267,6 +340,10 @@ double ContactNewton::find_residual() {
     for (std::size_t k = 0; row.a >= 0 && k < 3; ++k) residual_[3 * at(row.a) + k] -= row.on_a[k] * impulse;
     for (std::size_t k = 0; row.b >= 0 && k < 3; ++k) residual_[3 * at(row.b) + k] -= row.on_b[k] * impulse;
   }
+  return largest_residual();
+}
+
+double ContactNewton::largest_residual() const {
   double largest = 0;
   for (const double r : residual_) largest = std::max(largest, std::abs(r));
   return largest;

@@ -34,6 +34,12 @@ class ContactNewton {
   /// Whether the impulses given are the solution already, but for this part of the largest.
   bool is_in_balance(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions, double negligible);
   void apply(std::vector<ContactRow>& rows, std::vector<Motion>& motions) const;
+  /// The same for a large group that hardly moves: a single round, whose springs start from the impulses that are
+  /// expected. What they give way by is left to the substeps to come, which start from what this one found, so that a
+  /// pile at rest soon takes no more than a look. Factors serve on while other rows act than those they were made for,
+  /// as long as steps get on with them. Where no impulse is known yet all rows are first taken to hold, whatever their
+  /// bounds. False when no balance was found: then the rows were swept instead.
+  bool solve_once(std::vector<ContactRow>& rows, std::vector<Motion>& motions);
 
  private:
   enum class Factored : std::uint8_t { never, acting, cut_off };
@@ -73,8 +79,13 @@ class ContactNewton {
   void bound(const ContactRow& row, Row& own) const;
   void bound(const std::vector<ContactRow>& rows);
   int minimise();
+  void take_step();
+  void guess(const std::vector<ContactRow>& rows);
+  bool minimise_with_kept_factors();
+  void sweep_instead(const std::vector<ContactRow>& rows);
   void respond();
   double find_residual();
+  double largest_residual() const;
   void factor_if_changed();
   void add_to_matrix(const Row& row);
   void go_along();

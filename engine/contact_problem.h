@@ -28,6 +28,8 @@ struct ContactRow {
   real coefficient = 0;  ///< of that bound: of friction, or the lever in m
   real bias = 0;         ///< added to the speed
   real given = 0;        ///< impulse of this substep so far
+  real expected = 0;     ///< what it held before, and will hold if nothing has changed
+  bool closed = false;   ///< a gap that is closed at the start, as far as can be told
   bool off = false;      ///< a gap that is open: takes no impulse
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <utility>
 
 namespace proofreel {
 namespace {
@@ -21,16 +23,17 @@ std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b, in
 
 std::vector<int> elimination_turns(std::vector<std::vector<int>> neighbours) {
   std::vector<int> turns(neighbours.size(), -1);
-  std::vector<int> left;
-  for (int i = 0; i < static_cast<int>(neighbours.size()); ++i) left.push_back(i);
+  std::set<std::pair<std::size_t, int>> left;  // by how many neighbours each has
+  for (int i = 0; i < static_cast<int>(neighbours.size()); ++i) left.insert({neighbours[at(i)].size(), i});
   for (int turn = 0; !left.empty(); ++turn) {
-    const auto fewer = [&](int a, int b) { return neighbours[at(a)].size() < neighbours[at(b)].size(); };
-    const auto next = std::min_element(left.begin(), left.end(), fewer);
-    const int chosen = *next;
-    left.erase(next);
+    const int chosen = left.begin()->second;
+    left.erase(left.begin());
     turns[at(chosen)] = turn;
-    for (const int i : neighbours[at(chosen)])
+    for (const int i : neighbours[at(chosen)]) {
+      left.erase({neighbours[at(i)].size(), i});
       neighbours[at(i)] = united(neighbours[at(i)], neighbours[at(chosen)], i, chosen);
+      left.insert({neighbours[at(i)].size(), i});
+    }
   }
   return turns;
 }

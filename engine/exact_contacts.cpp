@@ -48,13 +48,15 @@ bool is_of_point(const ContactRow& row) { return row.kind == RowKind::gap || row
 
 }  // namespace
 
-/// Where joints answer they have to answer first, before the ways are looked at again.
+/// Where joints answer they have to answer first, before the ways are looked at again. What turning leaves open in a
+/// large group, which hardly turns, the next substep closes.
 void ExactContacts::solve_positions(ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, real h,
                                     Reach reach) {
   const int most_rounds = share_ == Share::all ? most_rounds_of_turning : affordable_rounds_of_turning;
   for (Group& group : groups()) {
     if (!group.chosen()) continue;
-    const int rounds = group.joint_groups.empty() ? most_rounds : 1;
+    const bool once = !group.joint_groups.empty() || (group.large && share_ == Share::affordable);
+    const int rounds = once ? 1 : most_rounds;
     for (int round = 0; round < rounds; ++round) {
       if (set_goals(group.rows, contacts, scene.motions, h, reach == Reach::closed) <= 1 && round > 0) break;
       take_in_stops(group, joints, scene, h);
@@ -75,6 +77,7 @@ void ExactContacts::solve_velocities(ContactSolver& contacts, JointSolver* joint
       if (!is_of_point(row)) continue;
       const ContactConstraint& c = contacts.constraints()[row.constraint];
       const ConstraintPoint& p = c.points[row.place];
+      row.expected = row.kind == RowKind::gap ? p.warm_normal : p.warm_tangent;
       if (row.kind == RowKind::slip) {
         row.bias = belts.empty() ? real(0) : -belts[row.constraint];
         continue;
@@ -120,7 +123,10 @@ bool ExactContacts::solve(Group& group, ContactSolver& contacts, JointSolver* jo
     before_.push_back(row.given);
   }
   const bool after = stage == Stage::after_drift;
-  if (!solve_rows(group, joints, scene.motions, after ? negligible_speed : negligible_gap)) return false;
+  const bool changed = group.large && share_ == Share::affordable
+                           ? solve_large(group, contacts, scene.motions)
+                           : solve_rows(group, joints, scene.motions, after ? negligible_speed : negligible_gap);
+  if (!changed) return false;
   for (std::size_t i = 0; i < group.rows.size(); ++i) {
     const ContactRow& row = group.rows[i];
     if (row.kind != RowKind::stop) {
@@ -146,6 +152,14 @@ bool ExactContacts::solve_rows(Group& group, const JointSolver* joints, std::vec
   } else {
     solve_by_sweeps(group.rows, motions, most_sweeps);
   }
+  return true;
+}
+
+/// What finds no balance is on the move: its contacts are soft for the rest of the tick.
+bool ExactContacts::solve_large(Group& group, ContactSolver& contacts, std::vector<Motion>& motions) {
+  if (group.newton.solve_once(group.rows, motions)) return true;
+  group.left = Left::large;
+  for (const ContactRow& row : group.rows) contacts.constraints()[row.constraint].exact = false;
   return true;
 }
 

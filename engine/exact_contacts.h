@@ -12,8 +12,8 @@
 ///
 /// Where others would do as well (Share::affordable) it has to be cheap: a group in which one body alone moves is
 /// solved by LoneBodyContacts, others by ContactNewton, and impulses that are the solution already cost no more than a
-/// look. A crowd that jostles, body rubbing along body, and does not settle tick after tick is left to the sweeps for a
-/// while; contacts remember that from tick to tick (Patience).
+/// look. Large ones get a single round of it, and only at rest. A crowd that jostles, body rubbing along body, and does
+/// not settle tick after tick is left to the sweeps for a while; contacts remember that from tick to tick (Patience).
 ///
 /// In time it is what joints do (joint_solver.h): impulses before the drift that lead the positions to where they may
 /// be, and after the second half of the forces the velocities are put right.
@@ -43,7 +43,8 @@ class ExactContacts {
   /// Which groups are solved.
   enum class Share : std::uint8_t {
     all,
-    affordable  ///< not those whose factors are large, and with joints only what soft contacts would carry badly
+    affordable  ///< not those whose factors are large, and with joints only what soft contacts would carry badly;
+                ///< large ones only while they hardly move and have not given way
   };
 
   /// Groups the contacts, makes their rows and tells the constraints whose they are. Once per tick, after
@@ -78,6 +79,11 @@ class ExactContacts {
     std::size_t stops = 0;  ///< of its joints, reached or not
     bool tumbles = false;   ///< has stops, and something that touches is fast
     bool loaded = false;    ///< soft contacts would show what they bear
+    bool large = false;     ///< solved in a single round per call, unless it moves
+    bool presses = false;   ///< some of its points bore something in the substep before
+    bool has_sunk = false;  ///< some of its points overlap as exact ones would not
+    bool blurred = false;   ///< some of its gaps are hardly known
+    real haste = 0;         ///< sum over its contacts of the bodies' squared speeds, in thicknesses per second
     std::vector<ContactRow> rows;
     std::vector<std::size_t> joint_groups;
     std::vector<double> response;  ///< of every row to every other one; empty where not needed
@@ -95,6 +101,9 @@ class ExactContacts {
   void add_group();
   void add_contact(Group& group, std::size_t constraint, const ContactSolver& contacts) const;
   static void note_immovable(Group& group, BodyIndex body, const std::vector<Motion>& motions);
+  static void note_rest(Group& group, const ContactConstraint& c, const std::vector<Motion>& motions);
+  static bool is_at_rest(const Group& group);
+  static double most_work_for(const Group& group, Share share);
   static Left first_look(const Group& group, const JointSolver* joints);
   static const char* reason(Left left);
   static bool is_patient_with(const Group& group) { return group.lone_body == 0 && group.joint_groups.empty(); }
@@ -105,6 +114,7 @@ class ExactContacts {
   void take_in_stops(Group& group, JointSolver* joints, const JointedBodies& scene, real h);
   bool solve(Group& group, ContactSolver& contacts, JointSolver* joints, const JointedBodies& scene, Stage stage);
   bool solve_rows(Group& group, const JointSolver* joints, std::vector<Motion>& motions, double negligible);
+  bool solve_large(Group& group, ContactSolver& contacts, std::vector<Motion>& motions);
   bool solve_cheaply(Group& group, std::vector<Motion>& motions, double negligible);
   void find_responses(Group& group, const JointSolver* joints, const std::vector<Motion>& motions);
   void try_responses(Group& group, const JointSolver& joints, const std::vector<Motion>& motions);

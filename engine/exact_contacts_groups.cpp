@@ -17,6 +17,16 @@ constexpr double most_work = 2e7;
 constexpr double most_affordable_work = 2e6;
 constexpr std::size_t most_affordable_contacts = 150;
 constexpr std::size_t most_affordable_with_joints = 16;
+/// The same for one that is larger, but hardly moves: a factorisation per tick is all that it takes.
+constexpr double most_work_at_rest = 2e8;
+constexpr std::size_t most_contacts_at_rest = 25000;
+/// At rest nothing moves by its own thickness within so many seconds, on average.
+constexpr real seconds_to_move = 10;
+/// Of the thickness: soft contacts sink into each other by more, and to push so many out at once would hurl them about.
+constexpr real visible_overlap = real(0.002);
+/// Of the thickness: where gaps are known no better (single precision far out), each tick would begin with other noise
+/// for which a large group would have to be balanced anew.
+constexpr real hardly_known = real(1e-4);
 /// A soft contact gives way by about 1.6 h times the speed that its impulse of a substep makes; a five hundredth of the
 /// thickness shows.
 constexpr real visible_load = real(0.00125);
@@ -69,9 +79,8 @@ void ExactContacts::prepare(ContactSolver& contacts, const JointSolver* joints, 
   add_rolling(contacts);
   for (Group& group : groups()) {
     if (!group.chosen()) continue;
-    const double work = share == Share::all ? most_work : most_affordable_work;
     if (share == Share::affordable && group.lone_body != 0) continue;
-    group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, work);
+    group.by_newton = group.joint_groups.empty() && group.newton.plan(group.rows, motions, most_work_for(group, share));
     if (share == Share::affordable) {
       const bool few = group.rows.size() + group.stops <= most_rows_to_pivot;
       if (!group.by_newton && (!few || group.joint_groups.empty())) group.left = Left::large;
@@ -93,8 +102,31 @@ ExactContacts::Left ExactContacts::first_look(const Group& group, const JointSol
   if (group.movers > 0 && group.immovables.size() > 1) return Left::squeezed;
   if (group.parts) return Left::overlaps;
   if (joints != nullptr && joints->sweeps()) return Left::nets;
-  const std::size_t most = group.joint_groups.empty() ? most_affordable_contacts : most_affordable_with_joints;
-  return group.contacts <= most ? Left::solved : Left::large;
+  if (group.large) return is_at_rest(group) ? Left::solved : Left::large;
+  return group.joint_groups.empty() || group.contacts <= most_affordable_with_joints ? Left::solved : Left::large;
+}
+
+double ExactContacts::most_work_for(const Group& group, Share share) {
+  if (share == Share::all) return most_work;
+  return group.large ? most_work_at_rest : most_affordable_work;
+}
+
+bool ExactContacts::is_at_rest(const Group& group) {
+  const auto contacts = static_cast<real>(group.contacts);
+  const real most_haste = contacts / (seconds_to_move * seconds_to_move);
+  return !group.has_sunk && !group.blurred && group.haste < most_haste && group.contacts <= most_contacts_at_rest;
+}
+
+/// What a large group is judged by.
+void ExactContacts::note_rest(Group& group, const ContactConstraint& c, const std::vector<Motion>& motions) {
+  const Motion& a = motions[c.body_a];
+  const Motion& b = motions[c.body_b];
+  group.haste += (length_squared(a.velocity) + length_squared(b.velocity)) / (c.length * c.length);
+  group.blurred |= c.closed > hardly_known * c.length;
+  for (int k = 0; k < c.count; ++k) {
+    group.presses |= c.points[k].normal_impulse > 0;
+    group.has_sunk |= separation_of(c, c.points[k], a, b) < -visible_overlap * c.length;
+  }
 }
 
 /// A crowd that jostles and has not settled in several ticks is left alone for a while: exactness costs most there,
@@ -135,11 +167,12 @@ void ExactContacts::end_tick(ContactSolver& contacts, const std::vector<Motion>&
 
 /// Soft contacts give way by what they bear. Where joints answer, exactness costs a solution of all of them per point:
 /// it is bought only where that giving way would show, by the impulses of the last substep; and with stops, each of
-/// which is a row more, only once what touches has slowed down: what tumbles shows nothing.
+/// which is a row more, only once what touches has slowed down: what tumbles shows nothing. Large groups have to bear
+/// visibly much as well; where nothing presses yet, nobody knows.
 void ExactContacts::look_for_load(const std::vector<ContactConstraint>& constraints, const JointSolver* joints,
                                   const std::vector<Motion>& motions, real h) {
   for (Group& group : groups()) {
-    group.loaded = group.joint_groups.empty();
+    group.loaded = group.large ? !group.presses : group.joint_groups.empty();
     group.stops = 0;
     group.tumbles = false;
     for (const std::size_t g : group.joint_groups) group.stops += joints->stops_of(g);
@@ -181,7 +214,7 @@ const char* ExactContacts::reason(Left left) {
     case Left::nets:
       return "their joints are solved one by one";
     case Left::large:
-      return "their islands are too large";
+      return "their islands are too large for how they move";
     case Left::unloaded:
       return "they bear too little to give way visibly";
   }
@@ -240,6 +273,10 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
     groups_[group].joint_groups.push_back(g);
     groups_[group].lone_body = 0;
   }
+  for (Group& group : groups()) group.large = group.contacts > most_affordable_contacts && group.joint_groups.empty();
+  for (std::size_t i = 0; i < group_of_.size(); ++i) {
+    if (groups_[group_of_[i]].large) note_rest(groups_[group_of_[i]], contacts.constraints()[i], motions);
+  }
 }
 
 /// In the place of one of the tick before: what that one has room for serves again.
@@ -252,6 +289,8 @@ void ExactContacts::add_group() {
   group.jostles = false;
   group.movers = 0;
   group.parts = false;
+  group.presses = group.has_sunk = group.blurred = false;
+  group.haste = 0;
   group.immovables.clear();
   group.rows.clear();
   group.joint_groups.clear();

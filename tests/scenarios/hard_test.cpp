@@ -51,6 +51,7 @@ const std::vector<Broken>& broken_cases() {
       {"incline_slides", {{"effects", "{\"gravity\",\"contacts\",\"ccd\"}"}}},
       {"incline_stands", {{"contact_hz", "3"}}},
       {"joint_net", {{"joint_solver", "iterative"}, {"substeps", "1"}}},
+      {"large_pyramid", {{"contact_hz", "3"}}},
       {"light_wheels", {{"contact_solver", "ngs"}}},
       {"load_removed", {{"contact_hz", "15"}}},
       {"long_pendulum", {{"integrator", "symplectic_euler"}}},
@@ -76,6 +77,7 @@ const std::vector<Broken>& broken_cases() {
       {"tilted_box_falls", {{"gravity", "{0,-0.001}"}}},
       {"tilted_box_stands", {{"contact_hz", "3"}}},
       {"tiny_hulls", {{"contact_hz", "3"}}},
+      {"tiny_pyramid", {{"contact_hz", "3"}}},
       {"topped_pyramid_100", {{"contact_hz", "3"}}},
       {"topped_pyramid_200", {{"contact_hz", "3"}}},
       {"topped_pyramid_300", {{"contact_hz", "3"}}},
@@ -83,6 +85,12 @@ const std::vector<Broken>& broken_cases() {
       {"zeno", {{"contact_solver", "soft_step"}}},
   };
   return all;
+}
+
+/// What is too dear to be run to its end every time: soft contacts (`contact_solver=soft_step`) fail before this one.
+std::vector<Override> shortened(const std::string& name, std::vector<Override> settings) {
+  if (name == "large_pyramid") settings.push_back({"duration", "0.5"});
+  return settings;
 }
 
 std::vector<std::string> names_in(const std::string& folder) {
@@ -120,14 +128,15 @@ TEST_CASE("Every hard case is there to be broken") {
 TEST_CASE("Every hard case holds with the default method") {
   for (const std::string& name : names_in("scenarios/hard")) {
     INFO(name);
-    CHECK(failure_in("scenarios/hard/" + name + ".lua", {}) == "");
+    CHECK(failure_in("scenarios/hard/" + name + ".lua", shortened(name, {})) == "");
   }
 }
 
 TEST_CASE("Every hard case fails where something is broken") {
   for (const Broken& broken : broken_cases()) {
     INFO(broken.name);
-    CHECK(failure_in(std::string("scenarios/hard/") + broken.name + ".lua", broken.settings) != "");
+    CHECK(failure_in(std::string("scenarios/hard/") + broken.name + ".lua", shortened(broken.name, broken.settings)) !=
+          "");
   }
 }
 
