@@ -366,9 +366,9 @@ Scene poured_discs() {
 double exact_share(const Simulation& simulation) {
   for (const EffectDecision& decision : simulation.effects()) {
     if (decision.effect != Effect::contacts) continue;
-    const std::size_t of = decision.why.find(" of ");
-    const std::size_t first = decision.why.rfind(' ', of - 1) + 1;
-    return std::stod(decision.why.substr(first)) / std::stod(decision.why.substr(of + 4));
+    const std::size_t of = decision.how.find(" of ");
+    const std::size_t first = decision.how.rfind(' ', of - 1) + 1;
+    return std::stod(decision.how.substr(first)) / std::stod(decision.how.substr(of + 4));
   }
   return -1;
 }

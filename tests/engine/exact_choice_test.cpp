@@ -48,6 +48,7 @@ namespace {
 /// Fourteen rows of boxes, each half a box aside of the one below, that slide as one.
 Scene wall(double speed) {
   Scene scene;
+  scene.rate = 60;
   scene.bodies = {floor_body()};
   for (int row = 0; row < 14; ++row) {
     for (int i = 0; i < 14; ++i) {

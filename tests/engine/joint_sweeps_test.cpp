@@ -127,15 +127,15 @@ TEST_CASE("A chain is solved at once however long it is, a large net row by row,
     }
     return scene;
   };
-  const auto why = [](const Scene& scene) {
+  const auto told = [](const Scene& scene) {
     for (const EffectDecision& decision : simulate(scene)->effects()) {
-      if (decision.effect == Effect::joints) return decision.why;
+      if (decision.effect == Effect::joints) return decision.how;
     }
     return std::string();
   };
-  CHECK(why(chain(2000, 1, JointMethod::direct)).find("one by one") == std::string::npos);
-  CHECK(why(net(8)).find("one by one") == std::string::npos);
+  CHECK(told(chain(2000, 1, JointMethod::direct)).find("one by one") == std::string::npos);
+  CHECK(told(net(8)).find("one by one") == std::string::npos);
   const Scene large = net(36);
-  CHECK(why(large).find("one by one") != std::string::npos);
+  CHECK(told(large).find("one by one") != std::string::npos);
   CHECK(widest_gap(large, 0.5) < 0.01);  // and it holds: by a hundredth of a disc, over 35 rows
 }
