@@ -4,6 +4,7 @@ scenario {
   description = "Rods of 3, 1.5 and 1.04 cranks at 10 rad/s: the shorter, the harder the jerk; loops must stay closed.",
   duration = 6, rate = 60, fps = 60, gravity = {0, -10}, method = { substeps = 4 }, effects = "auto",
   view = { center = {0.7, 0}, height = 4.4 }, layers = { "bodies", "joints" },
+  golden = { frames = { 359 }, size = {480, 270} },
 }
 include "include/gates.lua"
 

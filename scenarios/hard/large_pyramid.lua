@@ -5,6 +5,8 @@ scenario {
   title = "Pyramid of a hundred rows",
   description = "5050 boxes at rest for 300 steps: a solver that leaves errors behind lets the top drift by metres.",
   duration = 5, rate = 60, fps = 60, gravity = {0, -10}, method = { substeps = 4 }, effects = "auto",
+  view = { center = {0, 38}, height = 92 }, layers = { "bodies" },
+  golden = { frames = { 299 }, size = {480, 270} },
 }
 include "include/gates.lua"
 

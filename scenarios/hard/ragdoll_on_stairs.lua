@@ -4,6 +4,7 @@ scenario {
   description = "Nine hinges with stops on the edges of stairs: where stops and contacts fight, it twitches for ever.",
   duration = 12, rate = 60, fps = 60, gravity = {0, -10}, method = { substeps = 4 }, effects = "auto",
   view = { center = {-0.3, 1.45}, height = 3.6 }, layers = { "bodies", "joints", "contacts" },
+  golden = { frames = { 719 }, size = {480, 270} },
 }
 include "include/gates.lua"
 

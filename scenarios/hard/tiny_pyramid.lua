@@ -5,6 +5,8 @@ scenario {
   title = "Pyramid of five-centimetre boxes",
   description = "465 boxes of 5 cm must stay where they are; Box2D calls it hard, its slop is a tenth of a box.",
   duration = 5, rate = 60, fps = 60, gravity = {0, -10}, method = { substeps = 4 }, effects = "auto",
+  view = { center = {0, 0.73}, height = 1.8 }, layers = { "bodies" },
+  golden = { frames = { 299 }, size = {480, 270} },
 }
 include "include/gates.lua"
 
