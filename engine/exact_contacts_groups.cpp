@@ -24,9 +24,9 @@ constexpr std::size_t most_contacts_at_rest = 25000;
 constexpr real seconds_to_move = 10;
 /// Of the thickness: soft contacts sink into each other by more, and to push so many out at once would hurl them about.
 constexpr real visible_overlap = real(0.002);
-/// Of the thickness: where gaps are known no better (single precision far out), each tick would begin with other noise
-/// for which a large group would have to be balanced anew.
-constexpr real hardly_known = real(1e-4);
+/// Of the thickness: where gaps are known no better (in single precision always, else far out), each tick would begin
+/// with other noise for which a large group would have to be balanced anew.
+constexpr real hardly_known = real(1e-7);
 /// A soft contact gives way by about 1.6 h times the speed that its impulse of a substep makes; a five hundredth of the
 /// thickness shows.
 constexpr real visible_load = real(0.00125);
