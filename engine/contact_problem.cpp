@@ -96,10 +96,6 @@ class Problem {
   std::optional<Lcp> lcp_;
 };
 
-}  // namespace
-
-namespace {
-
 /// What a row may give, as near to `wanted` as can be; friction and rolling resistance follow the gaps.
 real within_bounds(const std::vector<ContactRow>& rows, std::size_t i, real wanted) {
   const ContactRow& row = rows[i];

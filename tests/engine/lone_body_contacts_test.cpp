@@ -151,7 +151,7 @@ TEST_CASE("A lone body gets the speeds that pivoting finds, or others that keep 
   CHECK(alike > 0.995 * solved);
 }
 
-TEST_CASE("What is solved once stays as it is, bit for bit", "[lone body]") {
+TEST_CASE("Impulses that are off by no more than what is negligible are left bit for bit", "[lone body]") {
   Random random(2);
   for (int i = 0; i < 1000; ++i) {
     Problem p = random_problem(random);
