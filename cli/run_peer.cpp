@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <set>
 #include <string_view>
 
 #include "render/usage_error.h"
@@ -41,6 +42,12 @@ Stepper stepper_of(Peer peer, const Scene& scene) {
 Peer peer_meant(const std::string& name) {
   if (const std::optional<Peer> peer = peer_named(name)) return *peer;
   throw UsageError("There is no peer \"" + name + "\": known are \"box2d\" and \"chipmunk\".");
+}
+
+std::vector<Peer> peers_meant(const std::vector<std::string>& names) {
+  std::set<Peer> peers;
+  for (const std::string& name : names) peers.insert(peer_meant(name));
+  return {peers.begin(), peers.end()};
 }
 
 PeerRun peer_run(const std::string& name, const Scenario& scenario) {

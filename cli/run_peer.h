@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/run_output.h"
 #include "lab/peers/peers.h"
@@ -12,6 +13,8 @@ namespace proofreel {
 
 /// "box2d" or "chipmunk". Throws UsageError for other names.
 Peer peer_meant(const std::string& name);
+/// Each once, in the order of their names.
+std::vector<Peer> peers_meant(const std::vector<std::string>& names);
 
 /// What steps a run, and what its report has to say of that.
 struct PeerRun {

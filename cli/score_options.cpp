@@ -21,16 +21,6 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// How this program was called.
-std::string command_line() {
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::string line = "proofreel";
-  std::string word;
-  std::getline(file, word, '\0');  // the program, wherever it lies
-  while (std::getline(file, word, '\0')) line.append(" ").append(shell_word(word));
-  return line;
-}
-
 /// CLI::Range lets pass what is not a number, since that is neither below nor above; then every run is too slow.
 std::string problem_with_limit(const std::string& text) {
   const std::optional<double> seconds = number_in(text);
@@ -39,6 +29,15 @@ std::string problem_with_limit(const std::string& text) {
 }
 
 }  // namespace
+
+std::string command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string line = "proofreel";
+  std::string word;
+  std::getline(file, word, '\0');  // the program, wherever it lies
+  while (std::getline(file, word, '\0')) line.append(" ").append(shell_word(word));
+  return line;
+}
 
 void add_grid_options(CLI::App& command, GridOptions& options) {
   command.add_option("-o,--output", options.folder, "Folder for the table, the page and the pictures")

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <set>
 
 #include "cli/commands.h"
 #include "cli/run_peer.h"
@@ -20,12 +19,6 @@ struct Options {
   std::vector<std::string> scenarios;
   std::vector<std::string> against;
 };
-
-std::vector<Peer> peers_named(const std::vector<std::string>& names) {
-  std::set<Peer> peers;
-  for (const std::string& name : names) peers.insert(peer_meant(name));
-  return {peers.begin(), peers.end()};
-}
 
 std::vector<std::string> files_of(const Options& options) {
   const std::string hard = (std::filesystem::path(scenarios_folder()) / "hard").string();
@@ -76,7 +69,7 @@ void print(const Grid& grid, const GridFiles& files) {
 
 int scorecard(const Options& options) {
   require_folder(options.grid);
-  const Grid grid = scorecard_grid(files_of(options), peers_named(options.against), options.grid.common.overrides());
+  const Grid grid = scorecard_grid(files_of(options), peers_meant(options.against), options.grid.common.overrides());
   const GridFiles files = make_grid_files(grid, "scorecard", true, options.grid);
   const bool passed = default_stands(grid, files.results);
   if (options.grid.json) {

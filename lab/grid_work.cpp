@@ -1,13 +1,11 @@
 #include "lab/grid_work.h"
 
-#include <poll.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
 #include <system_error>
 
-#include "lab/child.h"
+#include "lab/children.h"
 #include "lab/grid_run.h"
 #include "lab/grid_table.h"
 #include "render/output_file.h"
@@ -20,7 +18,6 @@ namespace fs = std::filesystem;
 
 /// Beyond a run's own limit: for loading, measuring, the second run of a second, and drawing.
 constexpr double grace_s = 10;
-constexpr int pause_ms = 200;
 
 /// A line and a picture through one pipe.
 std::string packed(const RunRequest& request, const RunOutcome& outcome) {
@@ -73,18 +70,18 @@ void make_folder(const std::string& folder) {
 
 class Worker {
  public:
-  Worker(const Grid& grid, const GridWork& work, const GridProgress& progress)
+  Worker(const Grid& grid, const GridWork& work, const WorkProgress& progress)
       : grid_(grid), work_(work), progress_(progress), table_((fs::path(work.folder) / work.table).string(), grid) {}
 
   void run() {
     const std::vector<std::size_t> todo = unknown();
-    const auto total = static_cast<std::int64_t>(todo.size());
-    auto next = todo.begin();
-    for (std::int64_t done = 0; done < total; done += finish_some()) {
-      while (next != todo.end() && running_.size() < static_cast<std::size_t>(work_.at_once)) start(*next++);
-      progress_(done, total);
-    }
-    progress_(total, total);
+    const auto work_of = [&](std::size_t i) {
+      const RunRequest& request = grid_.runs[todo[i]];
+      return ChildWork{[&request, this] { return packed(request, outcome_of(request)); },
+                       whole_limit * work_.limit_s + grace_s};
+    };
+    const auto keep_end = [&](std::size_t i, const ChildEnd& end) { keep(todo[i], end); };
+    work_off_children(todo.size(), work_.at_once, work_of, keep_end, progress_);
   }
 
   std::vector<RunResult> results() const {
@@ -99,11 +96,6 @@ class Worker {
   }
 
  private:
-  struct Running {
-    std::size_t index;
-    Child child;
-  };
-
   std::vector<std::size_t> unknown() const {
     std::vector<std::size_t> todo;
     std::set<std::string> seen;
@@ -112,12 +104,6 @@ class Worker {
       if (seen.insert(request.key).second && table_.find(request, work_.limit_s) == nullptr) todo.push_back(i);
     }
     return todo;
-  }
-
-  void start(std::size_t index) {
-    const RunRequest& request = grid_.runs[index];
-    const auto run = [&request, this] { return packed(request, outcome_of(request)); };
-    running_.push_back({index, Child(run, whole_limit * work_.limit_s + grace_s)});
   }
 
   /// In the child. A machine that cannot draw stops everything; whatever else goes wrong is that run's result.
@@ -129,21 +115,6 @@ class Worker {
     } catch (const std::exception& error) {
       return {crashed(error.what()), {}};
     }
-  }
-
-  /// Waits for a while, and writes down what has ended; how many runs that were.
-  std::int64_t finish_some() {
-    std::vector<pollfd> files;
-    for (const Running& running : running_) files.push_back({running.child.file(), POLLIN, 0});
-    ::poll(files.data(), files.size(), pause_ms);
-    std::int64_t ended = 0;
-    for (std::size_t i = files.size(); i-- > 0;) {
-      if (files[i].revents == 0 || running_[i].child.take()) continue;
-      keep(running_[i].index, running_[i].child.end());
-      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-      ++ended;
-    }
-    return ended;
   }
 
   void keep(std::size_t index, const ChildEnd& end) {
@@ -165,14 +136,13 @@ class Worker {
 
   const Grid& grid_;
   const GridWork& work_;
-  const GridProgress& progress_;
+  const WorkProgress& progress_;
   GridTable table_;
-  std::vector<Running> running_;
 };
 
 }  // namespace
 
-std::vector<RunResult> work_off(const Grid& grid, const GridWork& work, const GridProgress& progress) {
+std::vector<RunResult> work_off(const Grid& grid, const GridWork& work, const WorkProgress& progress) {
   make_folder(work.folder);
   Worker worker(grid, work, progress);
   worker.run();

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lab/children.h"
 #include "lab/grid.h"
 #include "render/context.h"
 
@@ -19,13 +19,10 @@ struct GridWork {
   std::optional<GlBackend> gl;
 };
 
-/// Called after every finished run, and now and then while they go on; may throw to stop.
-using GridProgress = std::function<void(std::int64_t done, std::int64_t total)>;
-
 /// Makes the folder and runs what its table does not know yet, each run in a process of its own; every one that ends is
 /// written down at once, with its still, so that whoever stops this and starts it again goes on where it was. Runs that
 /// can only come out the same are done once. `progress` counts what is to be done now. Throws UsageError and
 /// EnvironmentError.
-std::vector<RunResult> work_off(const Grid& grid, const GridWork& work, const GridProgress& progress);
+std::vector<RunResult> work_off(const Grid& grid, const GridWork& work, const WorkProgress& progress);
 
 }  // namespace proofreel

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "lab/child.h"
+#include "lab/html.h"
 #include "lab/score_map.h"
 #include "render/output_file.h"
 #include "render/png.h"

@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cstdio>
-#include <fstream>
 
 #include "lab/csv.h"
-#include "lab/score_page_style.h"
+#include "lab/html.h"
 #include "lab/score_text.h"
 
 namespace proofreel {
@@ -21,31 +20,6 @@ std::string class_of(Standing standing) {
   std::string name = name_of(standing);
   for (char& c : name) c = c == ' ' ? '-' : c;
   return name;
-}
-
-std::string tag(const std::string& name, const std::string& content, const std::string& attributes = {}) {
-  std::string text("<");
-  text.append(name);
-  if (!attributes.empty()) text.append(" ").append(attributes);
-  return text.append(">").append(content).append("</").append(name).append(">");
-}
-
-std::string attribute(const std::string& name, std::string_view value) {
-  return name + "=\"" + html_escaped(value) + "\"";
-}
-
-std::string sort_button(const std::string& label, std::size_t column) {
-  return tag("button", label, "type=\"button\" " + attribute("data-column", std::to_string(column)));
-}
-
-/// A sortable heading; `label` is HTML.
-std::string heading(const std::string& label, std::size_t column) {
-  return tag("th", sort_button(label, column), "scope=\"col\"");
-}
-
-/// A table that scrolls by itself when it is wider than the page.
-std::string scrolling(const std::string& table, const std::string& label) {
-  return tag("div", table, "class=\"scroll\" tabindex=\"0\" role=\"region\" " + attribute("aria-label", label)) + "\n";
 }
 
 /// Long names may be broken at their underscores.
@@ -219,48 +193,13 @@ std::string origin(const PageFacts& facts) {
 
 }  // namespace
 
-std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string machine_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "an unnamed processor";
-}
-
 std::string page_of(const Grid& grid, const std::vector<RunResult>& results, const std::vector<MethodScore>& scores,
                     const PageFacts& facts) {
-  std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += tag("title", html_escaped(grid.title)) + "\n" + tag("style", page_style) + "\n</head>\n<body>\n";
-  page += tag("h1", html_escaped(grid.title)) + "\n" + tag("p", html_escaped(grid.about)) + "\n";
-  if (!scores.empty()) page += tag("h2", "Scores") + "\n" + score_table(scores);
-  page += tag("h2", "All runs") + "\n" + run_table(grid, results) + legend(grid);
-  page += why_not(grid, results) + origin(facts) + tag("script", page_script) + "\n</body>\n</html>\n";
-  return page;
+  std::string body = tag("p", html_escaped(grid.about)) + "\n";
+  if (!scores.empty()) body += tag("h2", "Scores") + "\n" + score_table(scores);
+  body += tag("h2", "All runs") + "\n" + run_table(grid, results) + legend(grid);
+  body += why_not(grid, results) + origin(facts);
+  return html_page(grid.title, body);
 }
 
 }  // namespace proofreel

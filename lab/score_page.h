@@ -17,16 +17,10 @@ struct PageFacts {
   std::string table;              ///< the CSV file, relative to the page
 };
 
-/// The processor's name as the system tells it, or "an unnamed processor".
-std::string machine_name();
-
 /// The grid as one HTML page that needs nothing but the stills beside it: scores (none: no such table), the table of
 /// all runs, and what did not stand, with the reasons. It can be sorted, read without colours, by ear and by keyboard,
 /// and in light and dark.
 std::string page_of(const Grid& grid, const std::vector<RunResult>& results, const std::vector<MethodScore>& scores,
                     const PageFacts& facts);
-
-/// `text` as it may stand in HTML, attributes in double quotes included.
-std::string html_escaped(std::string_view text);
 
 }  // namespace proofreel

@@ -1,6 +1,6 @@
 # cmake -DROOT=DIR -DOUTPUT=FILE -P sources_hash.cmake: writes a C++ file with the fingerprint of what decides how runs come out.
 file(GLOB_RECURSE sources ${ROOT}/engine/*.h ${ROOT}/engine/*.cpp ${ROOT}/scenarios/*.h ${ROOT}/scenarios/*.cpp
-  ${ROOT}/lab/peers/*.h ${ROOT}/lab/peers/*.cpp ${ROOT}/lab/measures.* ${ROOT}/lab/grid_run.*)
+  ${ROOT}/lab/peers/*.h ${ROOT}/lab/peers/*.cpp ${ROOT}/lab/measures.* ${ROOT}/lab/grid_run.* ${ROOT}/lab/study_run.*)
 list(SORT sources)
 set(hashes "")
 foreach(source ${sources})

@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "lab/axis.h"
 #include "lab/grid.h"
 
 namespace proofreel {
-
-/// The values one key takes.
-struct Axis {
-  std::string key;
-  std::vector<std::string> values;
-};
-
-/// `rate=60,120,240`; commas within braces do not divide. Throws UsageError.
-Axis parse_axis(const std::string& text);
 
 /// The two axes of a map: those given, and instead of missing ones rate=60,120,240 and substeps=1,2,4,8. Throws
 /// UsageError for more than two, and for one key twice.

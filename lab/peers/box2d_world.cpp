@@ -9,8 +9,14 @@
 namespace proofreel {
 namespace {
 
-constexpr int velocity_iterations = 8;
-constexpr int position_iterations = 3;
+struct Iterations {
+  int velocity = 8;
+  int position = 3;
+};
+
+Iterations iterations_of(PeerPreset preset) {
+  return preset == PeerPreset::accurate ? Iterations{64, 24} : Iterations{};
+}
 
 b2BodyType type_of(BodyType type) {
   if (type == BodyType::dynamic) return b2_dynamicBody;
@@ -21,7 +27,7 @@ BodyId id_of(b2Fixture* fixture) { return static_cast<BodyId>(fixture->GetBody()
 
 class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
  public:
-  explicit Box2dWorld(Vec2d gravity) : world_(to_b2(gravity)) {
+  Box2dWorld(Vec2d gravity, Iterations iterations) : world_(to_b2(gravity)), iterations_(iterations) {
     world_.SetAllowSleeping(false);
     world_.SetContactFilter(this);
     world_.SetContactListener(this);
@@ -98,7 +104,7 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
     events_.clear();
     late_impulses_.clear();
     steps_per_second_ = static_cast<float>(1 / dt);
-    world_.Step(static_cast<float>(dt), velocity_iterations, position_iterations);
+    world_.Step(static_cast<float>(dt), iterations_.velocity, iterations_.position);
     for (const Begun& begun : begun_) tell(begun);
     begun_.clear();
     separation_events_ = std::exchange(ended_, {});
@@ -237,6 +243,7 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
   }
 
   b2World world_;
+  Iterations iterations_;
   b2BodyDef world_body_;
   std::vector<KeptBody> bodies_;
   std::vector<b2Joint*> joints_;  // owned by the world
@@ -251,13 +258,16 @@ class Box2dWorld final : public PeerWorld, b2ContactFilter, b2ContactListener {
 
 }  // namespace
 
-std::unique_ptr<PeerWorld> make_box2d_world(Vec2d gravity) { return std::make_unique<Box2dWorld>(gravity); }
+std::unique_ptr<PeerWorld> make_box2d_world(Vec2d gravity, PeerPreset preset) {
+  return std::make_unique<Box2dWorld>(gravity, iterations_of(preset));
+}
 
-PeerFacts box2d_facts() {
+PeerFacts box2d_facts(PeerPreset preset) {
+  const Iterations iterations = iterations_of(preset);
   const auto number = [](int32 part) { return std::to_string(part); };
   return {number(b2_version.major) + "." + number(b2_version.minor) + "." + number(b2_version.revision),
           Precision::float32,
-          {{"velocity_iterations", velocity_iterations}, {"position_iterations", position_iterations}}};
+          {{"velocity_iterations", iterations.velocity}, {"position_iterations", iterations.position}}};
 }
 
 }  // namespace proofreel

@@ -16,7 +16,7 @@
 namespace proofreel {
 namespace {
 
-constexpr int iterations = 10;
+int iterations_of(PeerPreset preset) { return preset == PeerPreset::accurate ? 100 : 10; }
 constexpr double slop = 0.005;  ///< m: Chipmunk's 0.1 is meant for pixels
 
 /// What Chipmunk's body points back to.
@@ -71,7 +71,7 @@ cpSpace* silently_made_space() {
 
 class ChipmunkWorld final : public PeerWorld {
  public:
-  explicit ChipmunkWorld(Vec2d gravity) : space_(silently_made_space()) {
+  ChipmunkWorld(Vec2d gravity, int iterations) : space_(silently_made_space()) {
     cpSpaceSetIterations(space_, iterations);
     cpSpaceSetCollisionSlop(space_, slop);
     cpSpaceSetGravity(space_, to_cp(gravity));
@@ -295,10 +295,12 @@ class ChipmunkWorld final : public PeerWorld {
 
 }  // namespace
 
-std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity) { return std::make_unique<ChipmunkWorld>(gravity); }
+std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity, PeerPreset preset) {
+  return std::make_unique<ChipmunkWorld>(gravity, iterations_of(preset));
+}
 
-PeerFacts chipmunk_facts() {
-  return {cpVersionString, Precision::float64, {{"iterations", iterations}, {"collision_slop", slop}}};
+PeerFacts chipmunk_facts(PeerPreset preset) {
+  return {cpVersionString, Precision::float64, {{"iterations", iterations_of(preset)}, {"collision_slop", slop}}};
 }
 
 }  // namespace proofreel

@@ -8,7 +8,7 @@
 namespace proofreel {
 
 /// Chipmunk 7. `gravity` in m/s^2.
-std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity);
-PeerFacts chipmunk_facts();
+std::unique_ptr<PeerWorld> make_chipmunk_world(Vec2d gravity, PeerPreset preset);
+PeerFacts chipmunk_facts(PeerPreset preset);
 
 }  // namespace proofreel

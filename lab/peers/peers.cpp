@@ -71,7 +71,9 @@ std::optional<Peer> peer_named(std::string_view name) {
   return std::nullopt;
 }
 
-PeerFacts facts_of(Peer peer) { return peer == Peer::box2d ? box2d_facts() : chipmunk_facts(); }
+PeerFacts facts_of(Peer peer, PeerPreset preset) {
+  return peer == Peer::box2d ? box2d_facts(preset) : chipmunk_facts(preset);
+}
 
 std::string sentence(Peer peer, const BodyDef& body, std::size_t number, const std::string& clause) {
   const std::string called = body.name.empty() ? std::to_string(number) : '"' + body.name + '"';
@@ -114,10 +116,11 @@ std::optional<std::string> problem_for_peer(Peer peer, const Scene& scene) {
   return {};
 }
 
-std::unique_ptr<Simulation> make_peer(Peer peer, const Scene& scene) {
+std::unique_ptr<Simulation> make_peer(Peer peer, const Scene& scene, PeerPreset preset) {
   if (const Problem problem = problem_for_peer(peer, scene)) throw UnknownToPeer(*problem);
   return std::make_unique<PeerSimulation>(
-      peer, scene, peer == Peer::box2d ? make_box2d_world(scene.gravity) : make_chipmunk_world(scene.gravity));
+      peer, scene,
+      peer == Peer::box2d ? make_box2d_world(scene.gravity, preset) : make_chipmunk_world(scene.gravity, preset));
 }
 
 }  // namespace proofreel

@@ -135,9 +135,7 @@ TEST_CASE("What cannot be done is refused in one sentence", "[score]") {
   refused({"scorecard", "blank", "-o", "x"}, 2, "has no expectation");
   refused({"scorecard", "rest"}, 2, "Name a folder");
   refused({"scorecard", "rest", "-o", "/proc/x"}, 3, "Cannot make the folder /proc/x");
-  refused({"study", "rest"}, 2, "give --map");
   refused({"study", "rest", "--map"}, 2, "Name a folder");
-  refused({"study", "rest", "--map", "--film", "-o", "x"}, 2, "--film is not built yet");
   refused({"study", "rest", "--map", "--vary", "ratee=1", "-o", "x"}, 2, "did you mean \"rate\"?");
   refused({"study", "rest", "--map", "--vary", "rate=0", "-o", "x"}, 2, "--vary rate=0: rate must lie between");
   for (const char* limit : {"0", "-1", "nan", "-nan", "inf", "1e400", "9s", ""}) {

@@ -2,14 +2,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/html.h"
 #include "lab/score_map.h"
 #include "lab/score_text.h"
-#include "tests/render/scratch_folder.h"
+#include "tests/lab/browser.h"
 
 namespace proofreel {
 namespace {
 
 using Catch::Matchers::Contains;
+using test::in_browser;
 
 /// Two scenarios by two methods: stands and degrades, fails and is not offered.
 Grid small_grid() {
@@ -81,20 +83,6 @@ TEST_CASE("Every cell has a sign and words, its cost, its figures, and leads to 
 TEST_CASE("The page asks for nothing from elsewhere", "[page]") {
   const std::string html = page();
   for (const char* word : {"http:", "https:", "src=", "<link", "@import", "url("}) REQUIRE(count(html, word) == 0);
-}
-
-/// The page as a browser has it after `script` has run in it.
-std::string in_browser(std::string html, const std::string& script) {
-  const ScratchFolder folder;
-  write_text(folder / "page.html", html.insert(html.rfind("</body>"), "<script>" + script + "</script>"));
-  const std::string command =
-      "timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-background-networking "
-      "--disable-component-update --disable-sync --no-first-run --user-data-dir=" +
-      (folder / "profile") + " --dump-dom file://" + (folder / "page.html") + " >" + (folder / "dom.html") +
-      " 2>/dev/null";
-  INFO("This needs the Debian package chromium.");
-  REQUIRE(std::system(command.c_str()) == 0);
-  return read_text(folder / "dom.html");
 }
 
 TEST_CASE("In a browser headings sort the rows of their table, upwards and then downwards", "[page]") {

@@ -53,12 +53,19 @@ td.words, .plain td { border-bottom: 1px solid var(--line); border-radius: 0; }
 .legend { display: flex; flex-wrap: wrap; gap: .4rem 1.4rem; list-style: none; padding: .6rem 0; margin: 0; }
 .legend li { display: flex; align-items: center; gap: .5rem; } .legend .key { min-width: 2.4rem; border-radius: 4px;
   text-align: center; }
+figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; max-width: 75rem; display: block; border-radius: 6px; }
+figcaption { color: var(--quiet); } .verdict { font-size: 1.15rem; max-width: 80ch; border-left: 4px solid var(--link);
+  padding: .2rem 0 .2rem .9rem; }
+.point { cursor: help; } .point:focus-visible { outline: 4px solid var(--link); }
+#tip { position: fixed; z-index: 9; max-width: 26rem; padding: .4rem .6rem; border-radius: 6px; pointer-events: none;
+  background: var(--ink); color: var(--paper); font-size: .9rem; }
+#tip[hidden] { display: none; }
 details { margin: .5rem 0; } summary { cursor: pointer; font-weight: 600; }
 .vh { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 )css";
 
 /// Every button in a heading sorts its table's rows by its column: first upwards, then downwards. What has no number
-/// comes last.
+/// comes last. Points of a figure tell their words to whom points at them or comes by with the keyboard.
 inline constexpr const char* page_script = R"js(
 for (const button of document.querySelectorAll('th button')) {
   button.addEventListener('click', () => {
@@ -76,6 +83,26 @@ for (const button of document.querySelectorAll('th button')) {
     const body = table.tBodies[0];
     body.append(...[...body.rows].sort(compare));
   });
+}
+const points = document.querySelectorAll('.point');
+if (points.length) {
+  const tip = document.createElement('div');
+  tip.id = 'tip';
+  tip.hidden = true;
+  document.body.append(tip);
+  const show = point => {
+    tip.textContent = point.dataset.words;
+    tip.hidden = false;
+    const box = point.getBoundingClientRect();
+    const left = Math.min(box.right + 10, innerWidth - tip.offsetWidth - 10);
+    tip.style.left = Math.max(10, left) + 'px';
+    tip.style.top = Math.max(10, box.top - tip.offsetHeight - 8) + 'px';
+  };
+  for (const point of points) {
+    point.addEventListener('mouseenter', () => show(point));
+    point.addEventListener('focus', () => show(point));
+    for (const end of ['mouseleave', 'blur']) point.addEventListener(end, () => { tip.hidden = true; });
+  }
 }
 )js";
 

@@ -1,0 +1,149 @@
+#include "lab/study_table.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "render/output_file.h"
+#include "render/usage_error.h"
+#include "scenarios/environment_error.h"
+
+namespace proofreel {
+namespace {
+
+const CsvRecord& result_columns() {
+  static const CsvRecord columns{
+      "measure",     "error",        "energy_error", "cpu_s",        "row_updates",     "status", "why",
+      "simulated_s", "cpu_ms_per_s", "evaluations",  "instructions", "collision_share", "step_s", "run"};
+  return columns;
+}
+
+std::string text_of(std::optional<double> number) { return number ? exact(*number) : std::string(); }
+std::string text_of(std::optional<std::int64_t> number) { return number ? std::to_string(*number) : std::string(); }
+
+std::optional<double> per_simulated_s(const StudyResult& result) {
+  if (!result.cpu_s || result.simulated_s <= 0) return std::nullopt;
+  return 1e3 * *result.cpu_s / result.simulated_s;
+}
+
+std::optional<std::int64_t> count_in(const std::string& text) {
+  const std::optional<double> number = number_in(text);
+  return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
+}
+
+std::string engine_of(const StudiedMethod& method) {
+  if (!method.peer) return "proofreel";
+  return name_of(*method.peer) + std::string(method.preset == PeerPreset::accurate ? " accurate" : "");
+}
+
+std::string text_in(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A line's measure, its error, and all else.
+struct StoredLine {
+  std::string key;
+  std::string measure;
+  std::optional<double> error;
+  StudyResult rest;
+};
+
+std::optional<StoredLine> line_in(const CsvRecord& record, std::size_t keys) {
+  const std::size_t first = 2 + keys;
+  if (record.size() != first + result_columns().size()) return std::nullopt;
+  const auto field = [&](std::size_t i) -> const std::string& { return record[first + i]; };
+  const std::optional<RunStatus> status = run_status_named(field(5));
+  if (!status) return std::nullopt;
+  StoredLine line{field(13), field(0), number_in(field(1)), {}};
+  line.rest.status = *status;
+  line.rest.energy_error = number_in(field(2));
+  line.rest.cpu_s = number_in(field(3));
+  line.rest.row_updates = count_in(field(4));
+  line.rest.why = field(6);
+  line.rest.simulated_s = number_in(field(7)).value_or(0);
+  line.rest.evaluations = count_in(field(9));
+  line.rest.instructions = count_in(field(10));
+  line.rest.collision_share = number_in(field(11));
+  return line;
+}
+
+}  // namespace
+
+CsvRecord header_of(const Study& study) {
+  CsvRecord header{"scenario", "engine"};
+  header.insert(header.end(), study.keys.begin(), study.keys.end());
+  header.insert(header.end(), result_columns().begin(), result_columns().end());
+  return header;
+}
+
+std::vector<CsvRecord> records_of(const Study& study, const StudyRun& run, const StudyResult& r) {
+  std::vector<CsvRecord> records;
+  for (std::size_t i = 0; i < study.measures.size(); ++i) {
+    CsvRecord record{study.scenario, engine_of(study.methods[run.method])};
+    record.insert(record.end(), run.values.begin(), run.values.end());
+    const std::optional<double> error = i < r.errors.size() ? r.errors[i] : std::nullopt;
+    for (std::string& field : CsvRecord{
+             study.measures[i].name, text_of(error), text_of(r.energy_error), text_of(r.cpu_s), text_of(r.row_updates),
+             name_of(r.status), r.why, exact(r.simulated_s), text_of(per_simulated_s(r)), text_of(r.evaluations),
+             text_of(r.instructions), text_of(r.collision_share), exact(run.step_s), run.key}) {
+      record.push_back(std::move(field));
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+StudyTable::StudyTable(std::string path, const Study& study) : path_(std::move(path)), study_(study) {
+  const CsvRecord header = header_of(study);
+  std::string whole = csv_line(header);
+  const std::vector<CsvRecord> records = csv_records(text_in(path_));
+  if (!records.empty() && records.front() != header) {
+    throw UsageError(path_ + " holds a table of other columns: name another folder with -o, or remove it.");
+  }
+  for (const CsvRecord& record : records) {
+    std::optional<StoredLine> line = line_in(record, study.keys.size());
+    if (!line) continue;
+    whole += csv_line(record);
+    StudyResult& known = known_[line->key];
+    std::vector<std::optional<double>> errors = std::move(known.errors);
+    errors.resize(study.measures.size());
+    known = std::move(line->rest);
+    for (std::size_t i = 0; i < study.measures.size(); ++i) {
+      if (study.measures[i].name == line->measure) errors[i] = line->error;
+    }
+    known.errors = std::move(errors);
+  }
+  write_file(path_, whole);
+}
+
+const StudyResult* StudyTable::find(const StudyRun& run, double limit_s) const {
+  const auto found = known_.find(run.key);
+  if (found == known_.end()) return nullptr;
+  const StudyResult& result = found->second;
+  return result.status == RunStatus::too_slow && result.cpu_s.value_or(0) < limit_s ? nullptr : &result;
+}
+
+void StudyTable::add(const StudyRun& run, const StudyResult& result) {
+  std::string lines;
+  for (const CsvRecord& record : records_of(study_, run, result)) lines += csv_line(record);
+  const int file = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const bool written = file >= 0 && ::write(file, lines.data(), lines.size()) == static_cast<ssize_t>(lines.size());
+  if (file >= 0) ::close(file);
+  if (!written) throw EnvironmentError("Cannot write " + path_ + ": is the disk full?");
+  known_[run.key] = result;
+}
+
+void StudyTable::rewrite(const std::vector<StudyResult>& results) const {
+  std::string whole = csv_line(header_of(study_));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const CsvRecord& record : records_of(study_, study_.runs[i], results[i])) whole += csv_line(record);
+  }
+  write_file(path_, whole);
+}
+
+}  // namespace proofreel

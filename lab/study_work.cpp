@@ -1,0 +1,248 @@
+#include "lab/study_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "lab/callgrind.h"
+#include "lab/study_table.h"
+#include "scenarios/environment_error.h"
+#include "scenarios/scenario.h"
+
+namespace proofreel {
+namespace {
+
+/// Beyond a run's own limit: for loading and measuring.
+constexpr double grace_s = 10;
+
+Trace trace_in(const ChildEnd& end) {
+  if (end.died_of.empty() && !end.out_of_time) return unpacked_trace(end.answer);
+  Trace trace;
+  trace.status = end.out_of_time ? RunStatus::too_slow : RunStatus::failed;
+  trace.why = end.out_of_time ? "stopped at its limit" : "the engine crashed: " + end.died_of;
+  return trace;
+}
+
+/// Steps runs in processes of their own.
+std::vector<Trace> traced(const Study& study, const std::vector<StudyRun>& runs, const StudyWork& work, double limit_s,
+                          const WorkProgress& progress, const std::function<void(std::size_t, const Trace&)>& keep) {
+  std::vector<Trace> traces(runs.size());
+  const auto work_of = [&](std::size_t i) {
+    return ChildWork{[&, i] { return packed(trace_of(study, runs[i], limit_s)); }, limit_s + grace_s};
+  };
+  const auto keep_end = [&](std::size_t i, const ChildEnd& end) {
+    traces[i] = trace_in(end);
+    keep(i, traces[i]);
+  };
+  work_off_children(runs.size(), work.at_once, work_of, keep_end, progress);
+  return traces;
+}
+
+void keep_nothing(std::size_t /*run*/, const Trace& /*trace*/) {}
+
+bool compares_with_itself(const Study& study) {
+  return std::any_of(study.measures.begin(), study.measures.end(), [](const auto& m) { return !m.has_reference; });
+}
+
+/// The finer runs that some methods' runs are compared with, by method.
+using FinerTraces = std::map<std::size_t, Trace>;
+
+FinerTraces finer_traces(const Study& study, const std::set<std::size_t>& methods, const StudyWork& work,
+                         const WorkProgress& progress) {
+  FinerTraces finer;
+  if (!compares_with_itself(study)) return finer;
+  const std::vector<std::size_t> list(methods.begin(), methods.end());
+  std::vector<StudyRun> runs;
+  for (const std::size_t method : list) runs.push_back(finer_run(study, method));
+  // The finest run within its limit may need a reference that takes `finer_steps` times as long.
+  std::vector<Trace> traces = traced(study, runs, work, finer_steps * work.limit_s, progress, keep_nothing);
+  for (std::size_t i = 0; i < list.size(); ++i) finer.emplace(list[i], std::move(traces[i]));
+  return finer;
+}
+
+/// What the finer run measured is what measures without a reference should be.
+void expect_finer(const Study& study, Trace& trace, const Trace& finer) {
+  if (finer.status != RunStatus::ended) return;
+  for (std::size_t i = 0; i < study.measures.size(); ++i) {
+    if (study.measures[i].has_reference) continue;
+    for (std::size_t k = 0; k < trace.expected[i].size() && k < finer.values[i].size(); ++k) {
+      trace.expected[i][k] = finer.values[i][k];
+    }
+  }
+}
+
+class Worker {
+ public:
+  Worker(const Study& study, const StudyWork& work, const std::function<void(const char*)>& phase,
+         const WorkProgress& progress)
+      : study_(study),
+        work_(work),
+        phase_(phase),
+        progress_(progress),
+        table_((std::filesystem::path(work.folder) / "study.csv").string(), study) {}
+
+  StudyOutcome run() {
+    find_energy_scale();
+    find_errors();
+    find_times();
+    if (work_.instructions) count_instructions();
+    StudyOutcome outcome{{}, energy_scale_j_};
+    for (const StudyRun& run : study_.runs) outcome.results.push_back(*table_.find(run, 0));
+    table_.rewrite(outcome.results);
+    return outcome;
+  }
+
+ private:
+  /// Of the finest run of the first method that comes to its end.
+  void find_energy_scale() {
+    phase_("energy scale");
+    for (std::size_t method = 0; method < study_.methods.size(); ++method) {
+      const StudyRun& finest = study_.runs[runs_of(study_, method).second - 1];
+      const Trace trace = traced(
+                              study_, {finest}, work_, work_.limit_s, [](std::int64_t, std::int64_t) {}, keep_nothing)
+                              .front();
+      if (trace.status != RunStatus::ended || !(trace.largest_kinetic_j > 0)) continue;
+      energy_scale_j_ = trace.largest_kinetic_j;
+      return;
+    }
+  }
+
+  std::vector<std::size_t> without(const std::function<bool(const StudyResult*)>& lacks) const {
+    std::vector<std::size_t> todo;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < study_.runs.size(); ++i) {
+      const StudyRun& run = study_.runs[i];
+      if (seen.insert(run.key).second && lacks(table_.find(run, work_.limit_s))) todo.push_back(i);
+    }
+    return todo;
+  }
+
+  void find_errors() {
+    const std::vector<std::size_t> todo = without([](const StudyResult* known) { return known == nullptr; });
+    std::set<std::size_t> methods;
+    std::vector<StudyRun> runs;
+    for (const std::size_t i : todo) {
+      methods.insert(study_.runs[i].method);
+      runs.push_back(study_.runs[i]);
+    }
+    phase_("finer runs");
+    const FinerTraces finer = finer_traces(study_, methods, work_, progress_);
+    phase_("errors");
+    traced(study_, runs, work_, work_.limit_s, progress_, [&](std::size_t i, Trace trace) {
+      const auto own = finer.find(runs[i].method);
+      if (own != finer.end() && trace.status == RunStatus::ended) expect_finer(study_, trace, own->second);
+      table_.add(runs[i], result_of(trace));
+    });
+  }
+
+  StudyResult result_of(const Trace& trace) const {
+    StudyResult result;
+    result.status = trace.status;
+    result.why = trace.why;
+    result.simulated_s = trace.simulated_s;
+    result.errors.resize(study_.measures.size());
+    if (trace.status == RunStatus::too_slow) result.cpu_s = work_.limit_s;
+    if (trace.status != RunStatus::ended) return result;
+    for (std::size_t i = 0; i < study_.measures.size(); ++i) {
+      result.errors[i] = error_of(trace.values[i], trace.expected[i]);
+    }
+    double drift = 0;
+    for (const double joules : trace.energy_drift_j) drift = std::max(drift, std::abs(joules));
+    result.energy_error = drift / energy_scale_j_;
+    result.row_updates = trace.row_updates;
+    result.evaluations = trace.evaluations;
+    if (trace.knows_collision) result.collision_share = trace.collision_share;
+    return result;
+  }
+
+  /// What has not come to its end needs no time.
+  void find_times() {
+    phase_("times");
+    const std::vector<std::size_t> todo = without([](const StudyResult* known) {
+      return known != nullptr && known->status == RunStatus::ended && !known->cpu_s.has_value();
+    });
+    constexpr int most_repetitions = 5;
+    const auto work_of = [&](std::size_t i) {
+      const StudyRun& run = study_.runs[todo[i]];
+      return ChildWork{[&] { return exact(cpu_time_of(study_, run, work_.limit_s)); },
+                       most_repetitions * work_.limit_s + grace_s};
+    };
+    const auto keep = [&](std::size_t i, const ChildEnd& end) {
+      const StudyRun& run = study_.runs[todo[i]];
+      StudyResult result = *table_.find(run, 0);
+      result.cpu_s = number_in(end.answer);
+      table_.add(run, result);
+    };
+    work_off_children(todo.size(), 1, work_of, keep, progress_);
+  }
+
+  void count_instructions() {
+    phase_("instructions");
+    const std::vector<std::size_t> todo = without([](const StudyResult* known) {
+      return known != nullptr && known->status == RunStatus::ended && !known->instructions.has_value();
+    });
+    const auto total = static_cast<std::int64_t>(todo.size());
+    for (std::int64_t done = 0; done < total; ++done) {
+      progress_(done, total);
+      const StudyRun& run = study_.runs[todo[static_cast<std::size_t>(done)]];
+      const StudiedMethod& method = study_.methods[run.method];
+      if (method.preset == PeerPreset::accurate) continue;  // `run` steps peers at their defaults alone
+      StudyResult result = *table_.find(run, 0);
+      result.instructions =
+          instructions(command_of(run, method), method.peer ? "*PeerSimulation::step()*" : "*World::step()*");
+      table_.add(run, result);
+    }
+    progress_(total, total);
+  }
+
+  std::vector<std::string> command_of(const StudyRun& run, const StudiedMethod& method) const {
+    std::vector<std::string> words{work_.program, "run", study_.file, "--quiet", "--json"};
+    for (const Override& each : run.set) {
+      words.push_back("--set");
+      words.push_back(each.key + "=" + each.value);
+    }
+    if (method.peer) {
+      words.push_back("--peer");
+      words.push_back(*method.peer == Peer::box2d ? "box2d" : "chipmunk");
+    }
+    return words;
+  }
+
+  const Study& study_;
+  const StudyWork& work_;
+  const std::function<void(const char*)>& phase_;
+  const WorkProgress& progress_;
+  StudyTable table_;
+  double energy_scale_j_ = 1;
+};
+
+}  // namespace
+
+StudyOutcome work_off(const Study& study, const StudyWork& work, const std::function<void(const char*)>& phase,
+                      const WorkProgress& progress) {
+  std::error_code error;
+  std::filesystem::create_directories(work.folder, error);
+  if (error) throw EnvironmentError("Cannot make the folder " + work.folder + ": " + error.message() + ".");
+  return Worker(study, work, phase, progress).run();
+}
+
+std::vector<Trace> traces_of(const Study& study, const std::vector<std::size_t>& indices, const StudyWork& work,
+                             const WorkProgress& progress) {
+  std::vector<StudyRun> runs;
+  std::set<std::size_t> methods;
+  for (const std::size_t i : indices) {
+    runs.push_back(study.runs[i]);
+    methods.insert(study.runs[i].method);
+  }
+  const FinerTraces finer = finer_traces(study, methods, work, progress);
+  std::vector<Trace> traces = traced(study, runs, work, work.limit_s, progress, keep_nothing);
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const auto own = finer.find(runs[i].method);
+    if (own != finer.end() && traces[i].status == RunStatus::ended) expect_finer(study, traces[i], own->second);
+  }
+  return traces;
+}
+
+}  // namespace proofreel
