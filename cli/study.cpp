@@ -13,7 +13,9 @@
 #include "lab/csv.h"
 #include "lab/score_text.h"
 #include "lab/study_analysis.h"
+#include "lab/study_charts.h"
 #include "lab/study_files.h"
+#include "lab/study_film.h"
 #include "lab/study_map.h"
 #include "lab/target.h"
 #include "render/usage_error.h"
@@ -31,6 +33,7 @@ struct Options {
   bool map = false;
   bool instructions = false;
   bool yes = false;
+  bool film = false;
 };
 
 /// scenario, and runs: {set: {key: value}, state, cpu_ms_per_s (null where it came to no end), cheapest, why} each.
@@ -132,10 +135,36 @@ void print(const Study& study, const StudyOutcome& outcome) {
   if (!verdict.empty()) std::printf("%s\n", verdict.c_str());
 }
 
+/// What a film can show at once.
+void check_film(const Study& study) {
+  if (study.methods.size() >= fewest_filmed && study.methods.size() <= most_filmed) return;
+  throw UsageError("--film shows two to six methods side by side, not " + std::to_string(study.methods.size()) +
+                   ": name others with --vary.");
+}
+
+/// Of each method the run whose CPU time all of them can spend.
+void make_film(const Options& options, const Study& study, const StudyOutcome& outcome, const StudyWork& work) {
+  const std::vector<std::size_t> runs = runs_of_equal_cost(study, outcome.results);
+  if (runs.size() < fewest_filmed) throw UsageError("Too few methods came to their end for a film.");
+  const std::vector<Trace> traces = traces_of(study, runs, work, [](std::int64_t, std::int64_t) {});
+  FilmSettings settings;
+  settings.size = study_film_size;
+  settings.fps = fps_of(study);
+  const std::string file = (std::filesystem::path(options.grid.folder) / "film.mp4").string();
+  const std::unique_ptr<Sink> sink = make_sink(file, settings);
+  ProgressLine line("frames", options.grid.common.quiet);
+  film_study(study, runs, traces, gl_backend_named(options.grid.common.gl), *sink,
+             [&](std::int64_t done, std::int64_t total) {
+               stop_if_interrupted();
+               line.update(done, total);
+             });
+}
+
 int make_study(const Options& options) {
   if (options.grid.folder.empty())
     throw UsageError("Name a folder for the table, the page and the diagrams with -o DIR.");
   const Study study = planned(options, parse_axes(options.vary));
+  if (options.film) check_film(study);
   const StudyWork work = work_with(options);
   note_interrupts();
   StudyOutcome outcome;
@@ -147,6 +176,7 @@ int make_study(const Options& options) {
     write_study_files(study, outcome, work, gl_backend_named(options.grid.common.gl), command_line(),
                       PROOFREEL_VERSION);
   }
+  if (options.film) make_film(options, study, outcome, work);
   if (options.grid.json) {
     std::cout << json_text(json_of(study, outcome), 2) << "\n";
   } else {
@@ -248,7 +278,9 @@ Subcommand study_command(CLI::App& program) {
   app->get_option("--threads")
       ->description("Runs at a time while errors are looked at; unless told all cores, --map: 1");
   for (CLI::Option* other : {target, against, measure}) map->excludes(other);
-  refuse_not_built(*app, {"--film"});
+  CLI::Option* film =
+      app->add_flag("--film", options->film, "Film two to six methods side by side, and their errors: DIR/film.mp4");
+  film->excludes(map)->excludes(target);
   return {app, [options] { return study(*options); }};
 }
 

@@ -61,6 +61,14 @@ class Range {
   double high_ = -std::numeric_limits<double>::infinity();
 };
 
+void fit(const ChartAxis& axis, Scale& scale) {
+  if (!axis.range) return;
+  Range range;
+  range.take(scale.place(axis.range->x));
+  range.take(scale.place(axis.range->y));
+  range.apply(scale);
+}
+
 void fit(const Chart& chart, Scale& x, Scale& y) {
   Range xs;
   Range ys;
@@ -78,6 +86,8 @@ void fit(const Chart& chart, Scale& x, Scale& y) {
   }
   xs.apply(x);
   ys.apply(y);
+  fit(chart.x, x);
+  fit(chart.y, y);
 }
 
 struct Tick {
@@ -95,7 +105,9 @@ std::vector<Tick> linear_ticks(const Scale& scale) {
 /// Whole powers of ten; twice and five times these too where there are few of them.
 std::vector<Tick> power_ticks(const Scale& scale) {
   const double span = scale.high - scale.low;
-  const int every = span > 10 ? 2 : 1;
+  constexpr double readable_px = 46;
+  const double per_decade_px = std::abs(scale.last_px - scale.first_px) / span;
+  const int every = std::max(1, static_cast<int>(std::ceil(readable_px / per_decade_px)));
   std::vector<Tick> list;
   for (int e = static_cast<int>(std::floor(scale.low)); e <= static_cast<int>(std::ceil(scale.high)); ++e) {
     for (int digit = 1; digit <= 9; ++digit) {
@@ -149,7 +161,7 @@ class Layout {
 
   /// The title, the notes, and where the axes are.
   void place_frame() {
-    double y = margin + title_px;
+    double y = chart_.title.empty() ? -1.5 * text_px : margin + title_px;
     add_text(chart_.title, {margin, y}, title_px, Align::left, ink);
     const double room = drawing_.width_px - 2 * margin;
     for (const std::string& note : chart_.notes) {

@@ -11,10 +11,11 @@
 
 namespace proofreel {
 
-/// An axis takes in all that is drawn. What is not positive has no place on a logarithmic one.
+/// An axis takes in all that is drawn, or the given range. What is not positive has no place on a logarithmic one.
 struct ChartAxis {
   std::string label;
   bool logarithmic = false;
+  std::optional<Vec2d> range = {};  ///< from x to y
 };
 
 struct ChartPoint {

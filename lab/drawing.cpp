@@ -197,9 +197,36 @@ std::vector<Vec2d> outline_of(Symbol symbol, double radius) {
   return {};
 }
 
+Drawing placed(Drawing drawing, double factor, Vec2d by) {
+  const auto rounded = [factor](int px) { return static_cast<int>(std::lround(px * factor)); };
+  const auto place = [&](Vec2d& p) { p = p * factor + by; };
+  for (DrawnMark& any : drawing.marks) {
+    if (auto* panel = std::get_if<PanelMark>(&any)) {
+      place(panel->low);
+      place(panel->high);
+    } else if (auto* line = std::get_if<LineMark>(&any)) {
+      line->width_px *= factor;
+      for (Vec2d& p : line->points) place(p);
+    } else if (auto* symbol = std::get_if<SymbolMark>(&any)) {
+      symbol->radius_px *= factor;
+      place(symbol->center);
+    } else if (auto* text = std::get_if<TextMark>(&any)) {
+      text->size_px = rounded(text->size_px);
+      place(text->baseline);
+    }
+  }
+  drawing.width_px = rounded(drawing.width_px);
+  drawing.height_px = rounded(drawing.height_px);
+  return drawing;
+}
+
+void draw_marks(Canvas& canvas, const Drawing& drawing) {
+  for (const DrawnMark& mark : drawing.marks) std::visit(CanvasPen(canvas), mark);
+}
+
 void draw(Canvas& canvas, const Drawing& drawing) {
   canvas.clear(drawing.background);
-  for (const DrawnMark& mark : drawing.marks) std::visit(CanvasPen(canvas), mark);
+  draw_marks(canvas, drawing);
 }
 
 std::string svg_of(const Drawing& drawing, const std::string& title) {

@@ -56,7 +56,12 @@ struct Drawing {
   std::vector<DrawnMark> marks;  ///< what comes later lies on top
 };
 
-/// Asks the canvas, of the drawing's size, for all of it.
+/// The same, larger or smaller (text by whole pixels), and then elsewhere.
+Drawing placed(Drawing drawing, double factor, Vec2d by);
+
+/// Asks the canvas for all of it, on top of what is there.
+void draw_marks(Canvas& canvas, const Drawing& drawing);
+/// The same on the drawing's own background.
 void draw(Canvas& canvas, const Drawing& drawing);
 
 /// As a whole SVG file, or as a part of a page. Symbols with words can be pointed at and reached by keyboard.

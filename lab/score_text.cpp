@@ -19,7 +19,7 @@ void add(std::string& text, const char* format, std::optional<double> value) {
 
 std::string cost_text(std::optional<double> cost_ms) {
   if (!cost_ms) return {};
-  return with(*cost_ms < 0.995 ? "%.2f" : *cost_ms < 9.95 ? "%.1f" : "%.0f", *cost_ms);
+  return with(*cost_ms < 0.0995 ? "%.3f" : *cost_ms < 0.995 ? "%.2f" : *cost_ms < 9.95 ? "%.1f" : "%.0f", *cost_ms);
 }
 
 std::string name_of(const Heading& heading) {

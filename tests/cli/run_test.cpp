@@ -190,9 +190,6 @@ TEST_CASE("What the design has and this program has not is said by name", "[cli]
     REQUIRE(o.status == 2);
     REQUIRE_THAT(o.err, Contains(name) && Contains("not built yet"));
   }
-  for (const char* option : {"--film"}) {
-    REQUIRE_THAT(proofreel_program({"study", "x", option, "y"}).err, Contains(option) && Contains("not built yet"));
-  }
   for (const char* option : {"--report", "--junit", "--shard", "--jobs"}) {
     REQUIRE_THAT(proofreel_program({"check", option, "y"}).err, Contains(option) && Contains("not built yet"));
   }

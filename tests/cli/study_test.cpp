@@ -8,6 +8,7 @@
 #include "lab/csv.h"
 #include "tests/cli/collection.h"
 #include "tests/cli/program.h"
+#include "tests/render/decoded_film.h"
 
 namespace proofreel {
 namespace {
@@ -114,6 +115,20 @@ TEST_CASE("Instructions are counted, and come out the same again", "[study]") {
   REQUIRE(counts[0] == counts[1]);
 }
 
+TEST_CASE("A film shows the methods side by side for as long as the scene lasts", "[study]") {
+  const Collection c;
+  c.write("swing", known_swing());
+  REQUIRE(c.run({"study", "swing", "--vary", "integrator=verlet,rk4", "--vary", "rate=60,120,240", "--film", "--set",
+                 "duration=0.2", "-o", "out"})
+              .status == 0);
+  const DecodedFilm film = decode_film(c / "out/film.mp4");
+  REQUIRE(film.frames.size() == 12);
+  REQUIRE(film.frames.front().width_px == 1920);
+  REQUIRE(film.frames.front().height_px == 1080);
+  const bool moves = film.frames.front().rgba != film.frames.back().rgba;
+  REQUIRE(moves);
+}
+
 TEST_CASE("What a study cannot do is refused in a sentence, and leaves nothing behind", "[study]") {
   const Collection c;
   c.write("swing", known_swing());
@@ -131,6 +146,8 @@ TEST_CASE("What a study cannot do is refused in a sentence, and leaves nothing b
   refused({"study", "swing", "--vary", "integrater=rk4", "-o", "x"}, "did you mean \"integrator\"?");
   refused({"study", "swing", "--vary", "integrator=rk5", "-o", "x"}, "did you mean \"rk4\"?");
   refused({"study", "swing", "--against", "havok", "-o", "x"}, "There is no peer \"havok\"");
+  refused({"study", "swing", "--film", "--vary", "integrator=rk4", "--vary", "rate=60", "-o", "x"},
+          "two to six methods");
   refused({"study", "swing", "--target", "nothing"}, "--target takes");
   refused({"study", "swing", "--target", "0"}, "--target takes");
   const auto values = [](int count) {

@@ -105,6 +105,8 @@ TEST_CASE("In a browser headings sort the rows of their table, upwards and then 
 
 TEST_CASE("Costs are written with as many digits as they are good for", "[page]") {
   REQUIRE(cost_text(0.4249) == "0.42");
+  REQUIRE(cost_text(0.0424) == "0.042");
+  REQUIRE(cost_text(0.0996) == "0.10");
   REQUIRE(cost_text(0.999) == "1.0");
   REQUIRE(cost_text(3.14) == "3.1");
   REQUIRE(cost_text(9.96) == "10");
