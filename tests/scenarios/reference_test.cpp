@@ -52,10 +52,10 @@ const std::vector<Worse>& worse_methods() {
       {"projectile", first_order},
       {"rocking_block", late},
       {"rod_pendulum", first_order},
-      {"stack_of_fifteen", soft},
       {"slider_crank", swept},
       {"sliding_stop", first_order},
       {"squeezer", first_order},
+      {"stack_of_fifteen", soft},
       {"zeno_ball", late},
   };
   return all;

@@ -80,16 +80,16 @@ const std::string busy = R"lua(
 TEST_CASE("Every scenario goes on from any tick as if it had never stopped, here and in another process") {
   for (const std::string& path : all_scenarios()) {
     INFO(path);
-    const auto scenario = load_scenario(path, {});
+    const auto scenario = load_scenario(path, shortened(path));
     const std::vector<std::int64_t> ticks = some_ticks(scenario->ticks(), hash_of(path.data(), path.size()));
     const Saved unbroken = run_and_save(*scenario, ticks);
     for (const SavedRun& run : unbroken.runs) {
-      const auto again = load_scenario(path, {});
+      const auto again = load_scenario(path, shortened(path));
       const RunReport report = Runner(*again, run, "saved").finish();
       CHECK(report.trajectory_hash == unbroken.report.trajectory_hash);
       CHECK(report.state_hash == unbroken.report.state_hash);
     }
-    const auto moving = load_scenario(path, {});
+    const auto moving = load_scenario(path, shortened(path));
     Runner runner(*moving);
     for (const std::int64_t tick : ticks) {
       while (runner.tick() < tick) runner.step();
