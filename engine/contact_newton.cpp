@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/elimination.h"
+#include "engine/work.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -324,6 +325,7 @@ void ContactNewton::take_step() {
 
 /// Impulses at the present velocities.
 void ContactNewton::respond() {
+  count_row_updates(rows_.size());
   for (Row& row : rows_) {
     const double wanted = row.from - row.stiffness * speed_of(row);
     row.acts = wanted > row.least && wanted < row.most;

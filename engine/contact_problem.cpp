@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/lcp.h"
+#include "engine/work.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -110,6 +111,7 @@ real within_bounds(const std::vector<ContactRow>& rows, std::size_t i, real want
 bool solve_by_pivots(std::vector<ContactRow>& rows, const std::vector<double>& response, double noise,
                      std::vector<Motion>& motions) {
   const std::optional<std::vector<real>> impulses = Problem(rows, response, noise, motions).impulses();
+  count_row_updates(rows.size());
   if (!impulses) return false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     push(rows[i].term, (*impulses)[i] - rows[i].given, motions);
@@ -128,6 +130,7 @@ void solve_by_sweeps(std::vector<ContactRow>& rows, const std::vector<double>& r
     before.push_back(row.given);
   }
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    count_row_updates(n);
     real largest = 0;
     real change = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -161,6 +164,7 @@ void solve_by_sweeps(std::vector<ContactRow>& rows, std::vector<Motion>& motions
   // Pivots find the solution of a small group if there is one.
   const real give = has_mover(rows, motions) || rows.size() <= most_rows_to_pivot ? give_of_squeezed : real(0);
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    count_row_updates(rows.size());
     real largest = 0;
     real change = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/work.h"
+
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
@@ -257,6 +259,15 @@ void ContactSolver::sweep(std::vector<Motion>& motions, real h) {
     sweep_all<push, true, false>(motions, h);
   }
   rolling_.sweep(constraints_, motions);
+  count_swept_rows(parts_.friction ? 2 : 1);
+}
+
+/// As many rows at every point, and one for every rolling resistance.
+void ContactSolver::count_swept_rows(int at_point) const {
+  if (counted_work == nullptr) return;
+  int rows = static_cast<int>(rolling_.rows().size());
+  for (const ContactConstraint& c : constraints_) rows += c.exact ? 0 : at_point * c.count;
+  count_row_updates(static_cast<std::size_t>(rows));
 }
 
 template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion>&, real);
@@ -289,6 +300,7 @@ void ContactSolver::push_out(std::vector<Motion>& motions) const {
       shift(a, b, p, -p.normal_mass * way * c.normal);
     }
   }
+  count_swept_rows(1);
 }
 
 namespace {

@@ -133,6 +133,7 @@ class ContactSolver {
 
   template <Push push>
   void sweep(std::vector<Motion>& motions, real h);
+  void count_swept_rows(int at_point) const;
   ContactConstraint constraint_of(std::uint32_t index, const Contact& contact, const std::vector<Shape>& shapes,
                                   const std::vector<Motion>& motions) const;
   template <Push push, bool friction, bool moving>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/joint_group.h"
+#include "engine/work.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -88,6 +89,7 @@ void JointGroup::move_to_goals(const JointedBodies& scene) {
     assemble(scene.motions);
     for (std::size_t k = 0; k < on_.size(); ++k) right_side_[k] = on_row(k).goal - on_row(k).value;
     matrix_.solve(right_side_);
+    count_row_updates(on_.size());
   };
   find_ways();
   stiffen(scene);

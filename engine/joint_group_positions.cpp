@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/joint_group.h"
+#include "engine/work.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -61,6 +62,7 @@ bool JointGroup::iterate(const JointedBodies& scene, real h) {
   real miss = predict(scene, h);
   for (int step = 0; step < max_newton_steps && miss > row_tolerance; ++step) {
     matrix_.solve(right_side_);
+    count_row_updates(on_.size());
     for (std::size_t k = 0; k < on_.size(); ++k) {
       memory(on_row(k), scene).impulse += right_side_[k];
       apply(on_row(k), right_side_[k], scene);
@@ -154,6 +156,7 @@ void JointGroup::close_gently(const JointedBodies& scene, real h) {
       right_side_[k] = -speed_of(row.terms, scene.motions) - closing;
     }
     matrix_.solve(right_side_);
+    count_row_updates(on_.size());
   } while (drop_pulling_rows(scene));
   for (std::size_t k = 0; k < on_.size(); ++k) apply(on_row(k), right_side_[k], scene);
 }

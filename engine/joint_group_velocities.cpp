@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/joint_group.h"
+#include "engine/work.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -103,6 +104,7 @@ void JointGroup::find_corrections(const JointedBodies& scene) {
     right_side_[k] = row.asked - speed_of(row.terms, scene.motions);
   }
   matrix_.solve(right_side_);
+  count_row_updates(on_.size());
 }
 
 void JointGroup::apply_corrections(const JointedBodies& scene) {

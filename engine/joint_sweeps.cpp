@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/work.h"
+
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
@@ -104,6 +106,7 @@ void JointSweeps::solve(Row& row, const Softness& soft, const JointedBodies& sce
 void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
   const Softness soft = make_softness(plan_.stiffness / h, damping_ratio, h);
   for (int i = 0; i < plan_.sweeps; ++i) {
+    count_row_updates(rows_.size());
     for (Row& row : rows_) solve(row, soft, scene, h);
   }
 }
@@ -112,6 +115,7 @@ void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
 /// for: it may only take back.
 void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
   for (int i = 0; i < plan_.sweeps; ++i) {
+    count_row_updates(rows_.size());
     for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
       const bool open_stop = row->plan.bound == Bound::at_least && row->value > 0;
       if (!open_stop || row->given > 0) solve(*row, rigid, scene, h);

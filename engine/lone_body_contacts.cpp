@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/work.h"
+
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
@@ -32,6 +34,7 @@ Vec3 cross_product(const Vec3& a, const Vec3& b) {
 LoneBodyContacts::Outcome LoneBodyContacts::solve(std::vector<ContactRow>& rows, BodyIndex body,
                                                   std::vector<Motion>& motions, double negligible) {
   begin(rows, body, motions);
+  count_row_updates(rows.size());
   if (is_in_balance(rows, negligible)) return Outcome::unchanged;
   if (!find_balance(rows)) {
     sweep(rows);

@@ -18,6 +18,7 @@
 #include "engine/snapshot.h"
 #include "engine/stages.h"
 #include "engine/state_hash.h"
+#include "engine/work.h"
 
 namespace proofreel {
 
@@ -203,6 +204,10 @@ class Simulation {
   virtual void keep_islands() {}
   /// From now on adds to `times` what every stage takes; null ends it. Where nobody measures, all stay zero.
   virtual void time_stages(StageTimes* times) { static_cast<void>(times); }
+  /// From now on the work of steps is counted.
+  virtual void count_work() {}
+  /// In all steps since then; nothing where nobody counts.
+  virtual std::optional<WorkDone> work_done() const { return std::nullopt; }
 };
 
 /// The engine, in the precision the scene's method names. The scene must be sound: `problem_with` finds nothing in it.

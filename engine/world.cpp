@@ -55,16 +55,24 @@ World::World(const Scene& scene)
 
 void World::step() {
   if (failure_) return;
+  const CountingWork counting(work_ ? &*work_ : nullptr);
   rebuild_if_changed();
   choose_substeps();
   begin_tick();
   if (bodies_are_free_ && pushed_.empty()) {
     timed(StepStage::motion, [this] { fly_all(); });
+    for (int i = 0; i < substeps_; ++i) count_evaluations();
     if (commanded_) detect_failure();  // nothing else can make a number infinite here
   } else {
     step_in_stages();
   }
   commanded_ = false;
+}
+
+/// Of all bodies that forces move.
+void World::count_evaluations() const {
+  if (counted_work == nullptr) return;
+  for (const Body& body : bodies_) counted_work->evaluations += body.alive && body.acts_as == BodyType::dynamic ? 1 : 0;
 }
 
 void World::step_in_stages() {
@@ -176,6 +184,7 @@ void World::prepare_exact_contacts() {
 /// same halves and in mirrored order: there positions and velocities belong to one time, so that the work done is
 /// booked exactly.
 void World::substep(real h) {
+  count_evaluations();
   const bool verlet = is_verlet();
   const real share = verlet ? real(0.5) : real(1);
   if (on(Effect::restitution) && !locates_impacts()) timed(StepStage::restitution, [&] { bounce(h); });

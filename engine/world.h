@@ -51,6 +51,8 @@ class World final : public Simulation {
   const std::optional<Failure>& failure() const override { return failure_; }
   std::vector<EffectDecision> effects() const override;
   void time_stages(StageTimes* times) override { times_ = times; }
+  void count_work() override { work_.emplace(); }
+  std::optional<WorkDone> work_done() const override { return work_; }
   void keep_forces() override { forces_kept_ = true; }
   std::vector<std::byte> save() const override;
   std::optional<std::string> restore(std::span<const std::byte> bytes) override;
@@ -89,6 +91,7 @@ class World final : public Simulation {
   DragDef drag_of(BodyIndex index) const;
   void begin_tick();
   void step_in_stages();
+  void count_evaluations() const;
   void find_contacts();
   void prepare_solvers();
   void prepare_exact_contacts();
@@ -364,6 +367,7 @@ class World final : public Simulation {
   std::int64_t tick_ = 0;
   std::optional<Failure> failure_;
   StageTimes* times_ = nullptr;
+  std::optional<WorkDone> work_;  ///< where it is counted
 };
 
 template <typename Part>

@@ -207,7 +207,7 @@ void World::exchange(Archive& archive, Self& world) {
                           broad_phase, contacts, contacts_made, contact_solver, exact_contacts, joint_solver,
                           smooth_integrator, pulled, diverged, hinged, touches, locating, events, separation_events,
                           separated_by_commands, break_events, water, wetted, fields, sleep, drifts, booked_work, tick,
-                          failure, times] = world;
+                          failure, times, work] = world;
   archive(census, effects, structure_changed, ground_changed, has_broad_phase, bodies_are_free, commanded, bodies,
           motions, accelerations, drags, pushed, velocities_before, shapes, free_shapes, joints, rockets, broad_phase,
           contacts, contacts_made, diverged, events, separation_events, separated_by_commands, break_events, sleep,

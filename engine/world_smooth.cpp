@@ -53,6 +53,7 @@ void World::advance_smoothly(real h) {
 
 /// Forces are written as what they do to velocities in some time: in one second, from rest, that is the acceleration.
 void World::add_accelerations(real after, Slopes& slopes) {
+  count_evaluations();
   pulled_ = motions_;
   for (Motion& m : pulled_) {
     m.velocity = {};

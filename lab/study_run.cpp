@@ -67,6 +67,7 @@ class Tracer {
     const double start = thread_cpu_s();
     StageTimes times;
     simulation.time_stages(&times);
+    simulation.count_work();
     sample(0);
     for (std::int64_t tick = 1; tick <= last; ++tick) {
       stage_.script().before_step();
@@ -79,6 +80,10 @@ class Tracer {
     }
     trace_.status = RunStatus::ended;
     note_work(times);
+    if (const std::optional<WorkDone> work = simulation.work_done()) {
+      trace_.row_updates = work->row_updates;
+      trace_.evaluations = work->evaluations;
+    }
     return std::move(trace_);
   }
 
