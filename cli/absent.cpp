@@ -5,6 +5,7 @@
 #include "render/usage_error.h"
 
 namespace proofreel {
+#ifndef PROOFREEL_PICTURES
 namespace {
 
 Subcommand absent(CLI::App& program, const char* name, const char* why) {
@@ -15,12 +16,12 @@ Subcommand absent(CLI::App& program, const char* name, const char* why) {
 }
 
 }  // namespace
+#endif
 
-std::vector<Subcommand> absent_commands(CLI::App& program) {
+std::vector<Subcommand> absent_commands([[maybe_unused]] CLI::App& program) {
   std::vector<Subcommand> commands;
-  commands.push_back(absent(program, "diff", " is not built yet."));
 #ifndef PROOFREEL_PICTURES
-  for (const char* name : {"render", "bless", "doctor", "study", "scorecard"}) {
+  for (const char* name : {"render", "bless", "diff", "doctor", "study", "scorecard"}) {
     commands.push_back(absent(program, name, " is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF)."));
   }
 #endif

@@ -5,6 +5,7 @@
 #include "cli/interrupt.h"
 #include "golden/store.h"
 #include "render/context.h"
+#include "render/png.h"
 #include "render/usage_error.h"
 
 namespace proofreel {
@@ -15,13 +16,14 @@ enum Status { good = 0, failed = 1, wrong_use = 2, wrong_environment = 3 };
 
 std::vector<Subcommand> add_commands(CLI::App& program) {
   std::vector<Subcommand> commands{
-      list_command(program),   run_command(program),
+      list_command(program),      run_command(program),
 #ifdef PROOFREEL_PICTURES
       render_command(program),
 #endif
-      check_command(program),  explain_command(program),
+      check_command(program),     explain_command(program),
 #ifdef PROOFREEL_PICTURES
-      bless_command(program),  study_command(program),   scorecard_command(program), doctor_command(program),
+      bless_command(program),     diff_command(program),    study_command(program),
+      scorecard_command(program), doctor_command(program),
 #endif
   };
   for (Subcommand& command : absent_commands(program)) commands.push_back(std::move(command));
@@ -34,7 +36,8 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", PROOFREEL_VERSION);
   program.footer(
       "Example: proofreel render pyramid -o pyramid.mp4\n"
-      "Exit status: 0 good, 1 a check or expectation failed, 2 wrong use or a bad scenario, 3 the environment");
+      "Exit status: 0 good, 1 a check or expectation failed, 2 wrong use, a bad scenario or picture, 3 the "
+      "environment");
   program.require_subcommand(1);
   const std::vector<Subcommand> commands = add_commands(program);
   try {
@@ -61,6 +64,9 @@ int main(int argc, char** argv) {
     say(error.what());
     return wrong_environment;
   } catch (const UsageError& error) {
+    say(error.what());
+    return wrong_use;
+  } catch (const ImageError& error) {
     say(error.what());
     return wrong_use;
   } catch (const ScenarioError& error) {

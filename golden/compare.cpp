@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "golden/compare_rows.h"
+
 namespace proofreel {
 namespace {
 
@@ -13,6 +15,13 @@ int largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
   return largest;
 }
 
+/// The first pixel of a row that differs by as much as any does.
+int find_difference(const std::uint8_t* a, const std::uint8_t* b, int difference) {
+  int x = 0;
+  while (largest_difference(a + 4 * x, b + 4 * x) != difference) ++x;
+  return x;
+}
+
 }  // namespace
 
 Comparison compare(const Image& a, const Image& b, int allowed) {
@@ -20,16 +29,15 @@ Comparison compare(const Image& a, const Image& b, int allowed) {
   result.same_size = a.width_px == b.width_px && a.height_px == b.height_px;
   if (!result.same_size) return result;
   result.total = static_cast<std::int64_t>(a.width_px) * a.height_px;
-  for (std::int64_t pixel = 0; pixel < result.total; ++pixel) {
-    const auto byte = static_cast<std::size_t>(pixel) * 4;
-    const int difference = largest_difference(&a.rgba[byte], &b.rgba[byte]);
-    if (difference == 0) continue;
-    ++result.different;
-    if (difference > allowed) ++result.beyond;
-    if (difference <= result.max_channel) continue;
-    result.max_channel = difference;
-    result.worst_x_px = static_cast<int>(pixel % a.width_px);
-    result.worst_y_px = static_cast<int>(pixel / a.width_px);
+  for (int y = 0; y < a.height_px; ++y) {
+    if (std::memcmp(a.row(y), b.row(y), a.row_bytes()) == 0) continue;
+    const RowSums row = sums_of_row(a.row(y), b.row(y), a.width_px, allowed);
+    result.different += row.different;
+    result.beyond += row.beyond;
+    if (row.max_channel <= result.max_channel) continue;
+    result.max_channel = row.max_channel;
+    result.worst_x_px = find_difference(a.row(y), b.row(y), row.max_channel);
+    result.worst_y_px = y;
   }
   return result;
 }

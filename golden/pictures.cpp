@@ -1,9 +1,7 @@
 #include "golden/pictures.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "render/draw.h"
+#include "render/mapped_file.h"
 #include "render/pixel_hash.h"
 #include "render/png.h"
 
@@ -79,10 +77,9 @@ Finding Pictures::judge(const GoldenStore& store, const Golden& golden, const Go
 
 std::optional<std::string> problem_with_file(const GoldenStore& store, const Golden& golden, const GoldenFrame& frame) {
   const fs::path path = store.folder(golden.scenario) / frame.file;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return "the reference picture " + path.string() + " is missing.";
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (bytes_hash(bytes) == frame.file_hash) return std::nullopt;
+  const MappedFile file(path.string());
+  if (!file.problem().empty()) return "the reference picture " + path.string() + " is missing.";
+  if (bytes_hash(file.bytes()) == frame.file_hash) return std::nullopt;
   return "the reference picture " + path.string() + " is damaged: it is not the file that was blessed.";
 }
 

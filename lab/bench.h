@@ -15,6 +15,8 @@ void bench_effects();
 void bench_engine();
 /// From the command to the first picture.
 void bench_first();
+/// Comparing two long pages, beside decoding one of them; and what a golden frame that passes costs.
+void bench_golden();
 /// Distances and times of impact of two polygons, beside Box2D.
 void bench_gjk();
 /// Finding the pairs of overlapping boxes and querying them, beside Box2D and Chipmunk; and how that grows.

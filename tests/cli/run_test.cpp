@@ -185,11 +185,6 @@ TEST_CASE("Wrong use exits with 2 and says what is wrong on standard error", "[c
 }
 
 TEST_CASE("What the design has and this program has not is said by name", "[cli]") {
-  for (const char* name : {"diff"}) {
-    const Outcome o = proofreel_program({name, "a", "--json", "b"});
-    REQUIRE(o.status == 2);
-    REQUIRE_THAT(o.err, Contains(name) && Contains("not built yet"));
-  }
   for (const char* option : {"--report", "--junit", "--shard", "--jobs"}) {
     REQUIRE_THAT(proofreel_program({"check", option, "y"}).err, Contains(option) && Contains("not built yet"));
   }
