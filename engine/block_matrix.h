@@ -42,11 +42,21 @@ class BlockMatrixOf {
   };
   /// The place of block (row, column), column <= row, which was planned.
   int place_of(int row, int column) const;
-  /// On the diagonal only what is on or below it counts.
-  Block block(int place) {
+  /// Where the entries of a block stand, until the next `resize`.
+  struct Spot {
+    std::size_t begin = 0;
+    std::size_t stride = 0;
+  };
+  Spot spot(int place) const {
     const Panel& panel = panels_[at(column_[at(place)])];
-    return {values_.data() + panel.begin + offset_[at(place)], at(panel.height)};
+    return {panel.begin + at(offset_[at(place)]), at(panel.height)};
   }
+  /// On the diagonal only what is on or below it counts.
+  Block block(Spot spot) { return {values_.data() + spot.begin, spot.stride}; }
+  Block block(int place) { return block(spot(place)); }
+  /// Multiplications that it takes, as planned: with all the rows that blocks may have.
+  double work_to_factor() const { return work_; }
+  double work_to_solve() const { return 2 * entries_; }
   /// Multiplies the diagonal.
   void stretch_diagonal(T factor);
   /// Turns the matrix into its factors. A pivot that is nothing but rounding belongs to a redundant row (a closed loop
@@ -69,13 +79,26 @@ class BlockMatrixOf {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   const int* equations_of(const Panel& panel) const { return equations_.data() + panel.list; }
   void find_runs();
+  void find_meeting_rows();
   void subtract_what_follows_from(int place);
   void subtract_in_runs(int place);
+  template <bool in_runs>
+  void subtract_threes(int place);
   void take_updates(const Panel& panel);
+  void subtract_few(int place);
+  void take_few(const Panel& panel);
   T factor_panel(const Panel& panel);
+  template <int width>
+  T factor_narrow(const Panel& panel);
   void spread(const Panel& panel, T* x) const;
+  template <int width>
+  void spread_narrow(const Panel& panel, T* x) const;
   void spread_in_runs(int column, T* x) const;
+  void spread_threes(int column, T* x) const;
   void gather(const Panel& panel, T* x) const;
+  template <int width>
+  void gather_narrow(const Panel& panel, T* x) const;
+  void gather_threes(const Panel& panel, T* x) const;
   void gather_in_runs(int column, T* x) const;
   template <typename Visit>
   void for_each_run(int place, int skip, Visit&& visit) const;
@@ -88,15 +111,23 @@ class BlockMatrixOf {
   std::vector<std::uint8_t> in_runs_;     ///< whether a column's blocks stand in long runs
   std::vector<std::vector<int>> beside_;  ///< of each block row, the places left of the diagonal
 
+  double work_ = 0;
+  double entries_ = 0;  ///< of the lower triangle
+
   // Sizes.
   std::vector<Panel> panels_;   ///< and one behind the last
   std::vector<int> offset_;     ///< of each place in its panel, in rows
   std::vector<int> equations_;  ///< the numbers of all rows of all panels
+  bool threes_ = false;         ///< all blocks have three rows, as bodies do
+  bool few_ = false;            ///< equations: then what meets where is looked up, not scattered by equation
+  std::vector<int> meeting_;    ///< few: of each place, where its row and all below it stand in the panel of that row
+  std::vector<int> meets_;      ///< few: where in `meeting_` those of each place begin
 
   std::vector<T> values_;
   std::vector<T> pivot_;
   std::vector<T> inverse_pivot_;
-  std::vector<T> updates_;  ///< what is to be subtracted from one panel, by equation; 0 between uses
+  std::vector<T>
+      updates_;  ///< what is to be subtracted from one panel, by equation (few: as it stands); 0 between uses
 };
 
 /// Most are as precise as the engine; contacts of very unequal masses need all the digits there are.

@@ -5,61 +5,44 @@
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
-namespace {
 
-/// A point's gap now and after drifting on for a while, and how far the surfaces slide along each other meanwhile.
-struct Way {
-  real gap = 0;
-  real gap_after = 0;
-  real slide = 0;
-};
+const ContactGoals::Later& ContactGoals::later(BodyIndex body, const std::vector<Motion>& motions, real h) {
+  Later& found = later_[body];
+  if (found.call == call_) return found;
+  Motion moved = motions[body];
+  drift(moved, h);
+  found = {call_, moved.delta, moved.rotation};
+  return found;
+}
 
 /// Cores turn about their centres, roundings roll off: their points of contact are others all the time.
-class Ways {
- public:
-  Ways(const std::vector<Motion>& motions, real h) : motions_(motions), h_(h) {}
-
-  /// Those of a contact's points, in turn; good until the next call.
-  const Way* of(const ContactConstraint& c) {
-    const Motion& a = motions_[c.body_a];
-    const Motion& b = motions_[c.body_b];
-    Motion later_a = a;
-    Motion later_b = b;
-    drift(later_a, h_);
-    drift(later_b, h_);
-    const real rolled = h_ * (c.radius_a * a.spin + c.radius_b * b.spin);
-    for (int k = 0; k < c.count; ++k) {
-      const Vec2 now = apart(c.points[k], a, b);
-      const Vec2 after = apart(c.points[k], later_a, later_b);
-      ways_[k] = {c.points[k].base_separation + dot(now, c.normal), c.points[k].base_separation + dot(after, c.normal),
-                  dot(after - now, perp(c.normal)) - rolled};
-    }
-    return ways_;
+void ContactGoals::find_ways(const ContactConstraint& c, const std::vector<Motion>& motions, real h) {
+  const Motion& a = motions[c.body_a];
+  const Motion& b = motions[c.body_b];
+  const Later& later_a = later(c.body_a, motions, h);
+  const Later& later_b = later(c.body_b, motions, h);
+  const real rolled = h * (c.radius_a * a.spin + c.radius_b * b.spin);
+  for (int k = 0; k < c.count; ++k) {
+    const ConstraintPoint& p = c.points[k];
+    const Vec2 now = (b.delta - a.delta) + rotate(b.rotation, p.local_b) - rotate(a.rotation, p.local_a);
+    const Vec2 after =
+        (later_b.delta - later_a.delta) + rotate(later_b.rotation, p.local_b) - rotate(later_a.rotation, p.local_a);
+    ways_[k] = {p.base_separation + dot(now, c.normal), p.base_separation + dot(after, c.normal),
+                dot(after - now, perp(c.normal)) - rolled};
   }
+}
 
- private:
-  static Vec2 apart(const ConstraintPoint& p, const Motion& a, const Motion& b) {
-    return (b.delta - a.delta) + rotate(b.rotation, p.local_b) - rotate(a.rotation, p.local_a);
-  }
-
-  const std::vector<Motion>& motions_;
-  real h_;
-  Way ways_[2];
-};
-
-}  // namespace
-
-real set_goals(std::vector<ContactRow>& rows, const ContactSolver& contacts, const std::vector<Motion>& motions, real h,
-               bool closed_only) {
+real ContactGoals::set(std::vector<ContactRow>& rows, const ContactSolver& contacts, const std::vector<Motion>& motions,
+                       real h, bool closed_only) {
   const std::vector<real>& belts = contacts.surface_speeds();
   real largest = 0;
-  Ways finder(motions, h);
-  const Way* ways = nullptr;
+  later_.resize(motions.size());
+  ++call_;
   for (ContactRow& row : rows) {
     if (row.kind != RowKind::gap && row.kind != RowKind::slip) continue;
     const ContactConstraint& c = contacts.constraints()[row.constraint];
-    if (row.kind == RowKind::gap && row.place == 0) ways = finder.of(c);  // a contact's gaps come first
-    const Way& way = ways[row.place];
+    if (row.kind == RowKind::gap && row.place == 0) find_ways(c, motions, h);  // a contact's gaps come first
+    const Way& way = ways_[row.place];
     const ConstraintPoint& p = c.points[row.place];
     row.expected = row.kind == RowKind::gap ? p.normal_impulse : p.tangent_impulse;
     row.closed = row.kind == RowKind::gap && way.gap <= c.closed;

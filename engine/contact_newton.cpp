@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "engine/elimination.h"
 #include "engine/work.h"
 
 namespace proofreel {
@@ -36,110 +36,53 @@ constexpr double balanced = 1e-7;
 constexpr int most_steps_at_once = 60;
 /// Farther than this from balance is none at all.
 constexpr double unbalanced = 1e-3;
-/// Factors are kept while a step leaves less than this part of what it began with.
-constexpr double gets_on = 0.4;
 /// A way is gone to the end when the slope there is no steeper than this part of what it was at the start.
 constexpr double flat = 0.1;
 
-double product(const double (&a)[3], const double* x) { return a[0] * x[0] + a[1] * x[1] + a[2] * x[2]; }
+/// Where other rows act than those the matrix was factored for, its factors serve on: for as many steps as take this
+/// part of the time that new ones would, where each step may make up for so many rows. What may be left over of what
+/// was missing: where a balance has to be exact, and where it is looked for but once.
+constexpr double part_of_factoring = 0.8;
+constexpr std::size_t rows_per_step = 8;
+constexpr double left_over = 1e-4;
+constexpr double left_over_at_once = 1e-2;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+double dot_product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+  return sum;
+}
+
 }  // namespace
 
-bool ContactNewton::plan(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions, double most_work) {
-  if (!is_planned_for(rows, motions)) {
-    planned_ = make_plan(rows, motions, most_work);
-    if (!planned_) return false;
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) scale_row(rows_[i], rows[i].term, motions);
-  stiffness_ = 0;
-  return true;
-}
-
-/// Mostly the same bodies touch as in the tick before.
-bool ContactNewton::is_planned_for(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) const {
-  if (!planned_ || rows.size() != rows_.size()) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Term& t = rows[i].term;
-    const Row& row = rows_[i];
-    if (row.body_a != t.body_a || row.body_b != t.body_b) return false;
-    if ((row.a >= 0) != is_moved(motions[t.body_a]) || (row.b >= 0) != is_moved(motions[t.body_b])) return false;
-  }
-  return true;
-}
-
-bool ContactNewton::make_plan(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions,
-                              double most_work) {
-  bodies_.clear();
-  for (const ContactRow& row : rows) {
-    if (is_moved(motions[row.term.body_a])) bodies_.push_back(row.term.body_a);
-    if (is_moved(motions[row.term.body_b])) bodies_.push_back(row.term.body_b);
-  }
-  std::sort(bodies_.begin(), bodies_.end());
-  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
-  rows_.assign(rows.size(), {});
-  const std::vector<std::vector<int>> below = order_bodies(rows);
-  if (!matrix_.plan(below, std::vector<int>(bodies_.size(), 3), most_work)) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows_[i];
-    row.body_a = rows[i].term.body_a;
-    row.body_b = rows[i].term.body_b;
-    if (row.a >= 0) row.place_a = matrix_.place_of(row.a, row.a);
-    if (row.b >= 0) row.place_b = matrix_.place_of(row.b, row.b);
-    if (row.a >= 0 && row.b >= 0) row.place_between = matrix_.place_of(std::max(row.a, row.b), std::min(row.a, row.b));
-  }
-  change_.assign(3 * bodies_.size(), 0);
-  return true;
-}
-
-/// Puts the bodies in order of elimination and tells the rows. Returns what stands below the diagonal.
-std::vector<std::vector<int>> ContactNewton::order_bodies(const std::vector<ContactRow>& rows) {
-  const auto number_of = [this](BodyIndex body) {
-    const auto found = std::lower_bound(bodies_.begin(), bodies_.end(), body);
-    return found != bodies_.end() && *found == body ? static_cast<int>(found - bodies_.begin()) : -1;
-  };
-  std::vector<std::vector<int>> neighbours(bodies_.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows_[i].a = number_of(rows[i].term.body_a);
-    rows_[i].b = number_of(rows[i].term.body_b);
-    if (rows_[i].a < 0 || rows_[i].b < 0) continue;
-    neighbours[at(rows_[i].a)].push_back(rows_[i].b);
-    neighbours[at(rows_[i].b)].push_back(rows_[i].a);
-  }
-  for (std::vector<int>& list : neighbours) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  const std::vector<int> turn = elimination_turns(neighbours);
-  std::vector<BodyIndex> ordered(bodies_.size());
-  std::vector<std::vector<int>> below(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    ordered[at(turn[i])] = bodies_[i];
-    for (const int other : neighbours[i]) {
-      if (turn[at(other)] > turn[i]) below[at(turn[i])].push_back(turn[at(other)]);
+/// Lets every row answer to how much its speed has changed, and sums up what the bodies are pushed by:
+/// answer(number of the row, row, change) is the impulse.
+template <typename Answer>
+inline void ContactNewton::find_pushes(Answer&& answer) {
+  std::fill(pushes_.begin(), pushes_.end(), Twist{});
+  std::size_t i = 0;
+  for (const Touch& touch : touches_) {
+    const Twist a = speeds_[at(touch.a)];
+    const Twist b = speeds_[at(touch.b)];
+    const double x = b.x - a.x;
+    const double y = b.y - a.y;
+    Twist push;
+    double turn_a = 0;
+    for (; i < touch.end; ++i) {
+      Row& row = rows_[i];
+      const double impulse = answer(i, row, (row.x * x + row.y * y) + (row.arm_b * b.turn - row.arm_a * a.turn));
+      push.x += row.x * impulse;
+      push.y += row.y * impulse;
+      push.turn += row.arm_b * impulse;
+      turn_a += row.arm_a * impulse;
     }
-    std::sort(below[at(turn[i])].begin(), below[at(turn[i])].end());
+    Twist& on_a = pushes_[at(touch.a)];
+    on_a = {on_a.x - push.x, on_a.y - push.y, on_a.turn - turn_a};
+    Twist& on_b = pushes_[at(touch.b)];
+    on_b = {on_b.x + push.x, on_b.y + push.y, on_b.turn + push.turn};
   }
-  bodies_ = std::move(ordered);
-  for (Row& row : rows_) {
-    if (row.a >= 0) row.a = turn[at(row.a)];
-    if (row.b >= 0) row.b = turn[at(row.b)];
-  }
-  return below;
-}
-
-void ContactNewton::scale_row(Row& row, const Term& t, const std::vector<Motion>& motions) {
-  const auto set = [&](double(&on)[3], BodyIndex body, double sign, real arm) {
-    const double root_mass = sign * std::sqrt(static_cast<double>(motions[body].inv_mass));
-    on[0] = root_mass * static_cast<double>(t.direction.x);
-    on[1] = root_mass * static_cast<double>(t.direction.y);
-    on[2] = sign * std::sqrt(static_cast<double>(motions[body].inv_inertia)) * static_cast<double>(arm);
-  };
-  if (row.a >= 0) set(row.on_a, t.body_a, -1, t.arm_a);
-  if (row.b >= 0) set(row.on_b, t.body_b, 1, t.arm_b);
-  const double response = product(row.on_a, row.on_a) + product(row.on_b, row.on_b);
-  row.size = std::sqrt(response);
 }
 
 bool ContactNewton::solve(std::vector<ContactRow>& rows, std::vector<Motion>& motions, int most_rounds) {
@@ -171,8 +114,7 @@ bool ContactNewton::is_in_balance(const std::vector<ContactRow>& rows, const std
   begin(rows, motions);
   bound(rows);
   return std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
-    if (row.size <= 0) return true;
-    const double wanted = std::clamp(row.given - row.start / (row.size * row.size), row.least, row.most);
+    const double wanted = std::clamp(row.given - row.start * row.mass, row.least, row.most);
     return std::abs(wanted - row.given) * row.size <= negligible * scale_;
   });
 }
@@ -187,7 +129,7 @@ bool ContactNewton::solve_once(std::vector<ContactRow>& rows, std::vector<Motion
   if (!is_known) guess(rows);
   set_stiffness(firm);
   bound(rows);
-  const bool done = minimise_with_kept_factors();
+  const bool done = minimise_roughly();
   done ? static_cast<void>(take_impulses()) : sweep_instead(rows);
   apply(rows, motions);
   return done;
@@ -196,44 +138,41 @@ bool ContactNewton::solve_once(std::vector<ContactRow>& rows, std::vector<Motion
 /// As if nothing could come apart or slide: what asks for the impossible gives what it may.
 void ContactNewton::guess(const std::vector<ContactRow>& rows) {
   set_stiffness(guessed);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows_[i];
+  find_speeds(change_);
+  find_pushes([&rows](std::size_t i, Row& row, double change) {
     const std::size_t gap = rows[i].kind == RowKind::gap ? i : rows[i].first_gap;
-    row.acts = rows[gap].closed && !rows[gap].off && row.size > 0;
-    row.impulse = row.acts ? row.from - row.stiffness * speed_of(row) : 0;
-  }
+    row.acts = rows[gap].closed && !rows[gap].off && row.mass > 0;
+    row.impulse = row.acts ? row.from - row.stiffness * (row.start + change) : 0;
+    return row.impulse - row.given;
+  });
   find_residual();
+  factored_with_ = 0;
   factor_if_changed();
   way_ = residual_;
   matrix_.solve(way_);
   for (std::size_t k = 0; k < way_.size(); ++k) change_[k] -= way_[k];
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows_[i];
+  find_speeds(change_);
+  find_pushes([this, &rows](std::size_t i, Row& row, double change) {
     bound(rows[i], row);
-    const double wanted = row.acts ? row.from - row.stiffness * speed_of(row) : 0;
+    const double wanted = row.acts ? row.from - row.stiffness * (row.start + change) : 0;
     row.from = std::clamp(wanted, row.least, row.most);
-  }
+    return 0.0;
+  });
 }
 
-/// Steps with factors of a slightly different matrix lead downhill as well, if not as far.
-bool ContactNewton::minimise_with_kept_factors() {
+bool ContactNewton::minimise_roughly() {
   respond();
-  double off_balance = find_residual();
-  double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps_at_once; ++step) {
-    if (off_balance <= balanced * scale_) return true;
-    if (off_balance > gets_on * before || rows_.front().factored == Factored::never) factor_if_changed();
-    before = off_balance;
-    take_step();
-    off_balance = largest_residual();
+    if (off_balance_ <= balanced * scale_) return true;
+    take_step(left_over_at_once);
   }
-  return off_balance <= unbalanced * scale_;
+  return off_balance_ <= unbalanced * scale_;
 }
 
 void ContactNewton::sweep_instead(const std::vector<ContactRow>& rows) {
   std::fill(change_.begin(), change_.end(), 0.0);
   for (Row& row : rows_) row.from = row.given;
-  for (int sweep = 0; sweep < sweeps_before; ++sweep) sweep_once(rows);
+  sweep(rows, sweeps_before);
 }
 
 /// Which springs to begin with, after a look at how far from balance the impulses at hand are.
@@ -241,162 +180,118 @@ double ContactNewton::first_stiffness(const std::vector<ContactRow>& rows) {
   set_stiffness(stiffest);
   bound(rows);
   respond();
-  const double off_balance = find_residual();
-  if (off_balance <= settled * scale_) return stiffest;
-  if (off_balance <= far_off * scale_) return middle;
-  for (int sweep = 0; sweep < sweeps_before; ++sweep) sweep_once(rows);
+  if (off_balance_ <= settled * scale_) return stiffest;
+  if (off_balance_ <= far_off * scale_) return middle;
+  sweep(rows, sweeps_before);
   return softest;
-}
-
-void ContactNewton::set_stiffness(double stiffness) {
-  if (stiffness == stiffness_) return;
-  stiffness_ = stiffness;
-  for (Row& row : rows_) {
-    row.stiffness = row.size > 0 ? stiffness / (row.size * row.size) : 0;
-    row.factored = Factored::never;
-  }
-}
-
-double ContactNewton::speed_of(const Row& row) const {
-  double speed = row.start;
-  if (row.a >= 0) speed += product(row.on_a, &change_[3 * at(row.a)]);
-  if (row.b >= 0) speed += product(row.on_b, &change_[3 * at(row.b)]);
-  return speed;
-}
-
-/// Row after row takes the impulse it needs at the moment: nobody is far off after that.
-void ContactNewton::sweep_once(const std::vector<ContactRow>& rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows_[i];
-    bound(rows[i], row);
-    if (row.size <= 0) continue;
-    const double impulse = std::clamp(row.from - speed_of(row) / (row.size * row.size), row.least, row.most);
-    for (std::size_t k = 0; row.a >= 0 && k < 3; ++k) change_[3 * at(row.a) + k] += row.on_a[k] * (impulse - row.from);
-    for (std::size_t k = 0; row.b >= 0 && k < 3; ++k) change_[3 * at(row.b) + k] += row.on_b[k] * (impulse - row.from);
-    row.from = impulse;
-  }
-}
-
-void ContactNewton::begin(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) {
-  std::fill(change_.begin(), change_.end(), 0.0);
-  scale_ = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows_[i];
-    row.start = speed_in_double(rows[i].term, motions) + static_cast<double>(rows[i].bias);
-    row.given = row.from = static_cast<double>(rows[i].given);
-    scale_ = std::max(scale_, std::abs(row.given) * row.size);
-    const double approach = rows[i].kind == RowKind::gap ? std::max(-row.start, 0.0) : std::abs(row.start);
-    if (row.size > 0 && !rows[i].off) scale_ = std::max(scale_, approach / row.size);
-  }
-}
-
-void ContactNewton::bound(const std::vector<ContactRow>& rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) bound(rows[i], rows_[i]);
-}
-
-/// What a row may give at most; friction and rolling resistance follow the gaps.
-void ContactNewton::bound(const ContactRow& row, Row& own) const {
-  own.least = 0;
-  own.most = row.off || own.size <= 0 ? 0 : std::numeric_limits<double>::infinity();
-  if (row.kind == RowKind::gap) return;
-  own.most = 0;
-  for (std::size_t k = row.first_gap; own.size > 0 && k < row.first_gap + row.gap_count; ++k)
-    own.most += static_cast<double>(row.coefficient) * rows_[k].from;
-  own.least = -own.most;
 }
 
 /// The velocities in balance with what the rows answer to them. Returns how many steps that took, -1 when too many.
 int ContactNewton::minimise() {
+  respond();
   for (int step = 0; step < most_steps; ++step) {
-    respond();
-    if (find_residual() <= settled * scale_) return step;
-    factor_if_changed();
-    take_step();
+    if (off_balance_ <= settled * scale_) return step;
+    take_step(left_over);
   }
   return -1;
 }
 
-void ContactNewton::take_step() {
-  way_ = residual_;
-  for (double& x : way_) x = -x;
-  matrix_.solve(way_);
+void ContactNewton::take_step(double may_be_left) {
+  find_way(may_be_left);
   go_along();
 }
 
-/// Impulses at the present velocities.
-void ContactNewton::respond() {
-  count_row_updates(rows_.size());
-  for (Row& row : rows_) {
-    const double wanted = row.from - row.stiffness * speed_of(row);
-    row.acts = wanted > row.least && wanted < row.most;
-    row.impulse = std::clamp(wanted, row.least, row.most);
-  }
+/// Newton's way: what is missing to balance, divided by the matrix of the rows that act. Where only a few others acted
+/// when that was factored the old factors serve on, and what they are wrong by is found step by step.
+void ContactNewton::find_way(double may_be_left) {
+  if (factored_with_ == stiffness_ && differing_ > 0 && find_way_by_old_factors(may_be_left)) return;
+  factor_if_changed();
+  way_ = residual_;
+  for (double& x : way_) x = -x;
+  matrix_.solve(way_);
 }
 
-/// What the change of the velocities and the impulses differ by. Returns the largest.
-double ContactNewton::find_residual() {
-  residual_ = change_;
-  for (const Row& row : rows_) {
-    const double impulse = row.impulse - row.given;
-    if (impulse == 0) continue;
-    for (std::size_t k = 0; row.a >= 0 && k < 3; ++k) residual_[3 * at(row.a) + k] -= row.on_a[k] * impulse;
-    for (std::size_t k = 0; row.b >= 0 && k < 3; ++k) residual_[3 * at(row.b) + k] -= row.on_b[k] * impulse;
-  }
-  return largest_residual();
-}
-
-double ContactNewton::largest_residual() const {
-  double largest = 0;
-  for (const double r : residual_) largest = std::max(largest, std::abs(r));
-  return largest;
-}
-
-/// The matrix depends on which rows act, and on nothing else.
-void ContactNewton::factor_if_changed() {
-  bool same = true;
-  for (const Row& row : rows_) same = same && row.factored == (row.acts ? Factored::acting : Factored::cut_off);
-  if (same) return;
-  matrix_.clear();
-  for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-    const auto block = matrix_.block(matrix_.place_of(body, body));
-    for (int k = 0; k < 3; ++k) block(k, k) = 1;
-  }
-  for (Row& row : rows_) {
-    row.factored = row.acts ? Factored::acting : Factored::cut_off;
-    if (row.acts) add_to_matrix(row);
-  }
-  matrix_.factor();
-}
-
-void ContactNewton::add_to_matrix(const Row& row) {
-  const auto add = [&](int place, const double(&left)[3], const double(&top)[3]) {
-    const auto block = matrix_.block(place);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) block(i, j) += row.stiffness * left[i] * top[j];
+/// By conjugate gradients (Hestenes and Stiefel 1952), preconditioned by the old factors: what those leave over is the
+/// work of the rows that differ, so that few rows take few steps. False when they take too many.
+bool ContactNewton::find_way_by_old_factors(double may_be_left) {
+  const double enough = may_be_left * off_balance_;
+  const auto most_tries =
+      static_cast<std::size_t>(part_of_factoring * matrix_.work_to_factor() / matrix_.work_to_solve());
+  if (differing_ > rows_per_step * most_tries) return false;
+  find_differing();
+  way_.assign(residual_.size(), 0);
+  missing_ = residual_;
+  for (double& x : missing_) x = -x;
+  next_ = missing_;
+  matrix_.solve(next_);
+  factored_next_ = missing_;
+  double product = dot_product(missing_, next_);
+  for (std::size_t step = 0; step < most_tries; ++step) {
+    pulled_ = factored_next_;
+    for (const Differing& row : differing_rows_) add_difference(row);
+    const double part = product / dot_product(next_, pulled_);
+    double largest = 0;
+    for (std::size_t k = 0; k < way_.size(); ++k) {
+      way_[k] += part * next_[k];
+      missing_[k] -= part * pulled_[k];
+      largest = std::max(largest, std::abs(missing_[k]));
     }
-  };
-  if (row.a >= 0) add(row.place_a, row.on_a, row.on_a);
-  if (row.b >= 0) add(row.place_b, row.on_b, row.on_b);
-  if (row.a < 0 || row.b < 0) return;
-  row.a > row.b ? add(row.place_between, row.on_a, row.on_b) : add(row.place_between, row.on_b, row.on_a);
+    if (largest <= enough) return true;
+    pulled_ = missing_;
+    matrix_.solve(pulled_);
+    const double before = std::exchange(product, dot_product(missing_, pulled_));
+    const double share = product / before;
+    for (std::size_t k = 0; k < way_.size(); ++k) {
+      next_[k] = pulled_[k] + share * next_[k];
+      factored_next_[k] = missing_[k] + share * factored_next_[k];
+    }
+  }
+  return false;
+}
+
+void ContactNewton::find_differing() {
+  differing_rows_.clear();
+  std::size_t i = 0;
+  for (const Touch& touch : touches_) {
+    const Mover& a = movers_[at(touch.a)];
+    const Mover& b = movers_[at(touch.b)];
+    for (; i < touch.end; ++i) {
+      const Row& row = rows_[i];
+      if (row.acts == row.acted) continue;
+      Differing d;
+      d.a = moves(touch.a) ? touch.a : touch.b;
+      d.b = moves(touch.b) ? touch.b : touch.a;
+      d.on_a = {-a.root_inv_mass * row.x, -a.root_inv_mass * row.y, -a.root_inv_inertia * row.arm_a};
+      d.on_b = {b.root_inv_mass * row.x, b.root_inv_mass * row.y, b.root_inv_inertia * row.arm_b};
+      d.stiffness = row.acts ? row.stiffness : -row.stiffness;
+      differing_rows_.push_back(d);
+    }
+  }
+}
+
+/// To the old matrix times `next_`, so that it becomes the present one times that.
+inline void ContactNewton::add_difference(const Differing& row) {
+  const double* a = &next_[3 * at(row.a)];
+  const double* b = &next_[3 * at(row.b)];
+  const double speed = (row.on_a.x * a[0] + row.on_a.y * a[1] + row.on_a.turn * a[2]) +
+                       (row.on_b.x * b[0] + row.on_b.y * b[1] + row.on_b.turn * b[2]);
+  const double pull = row.stiffness * speed;
+  double* on_a = &pulled_[3 * at(row.a)];
+  double* on_b = &pulled_[3 * at(row.b)];
+  on_a[0] += pull * row.on_a.x, on_a[1] += pull * row.on_a.y, on_a[2] += pull * row.on_a.turn;
+  on_b[0] += pull * row.on_b.x, on_b[1] += pull * row.on_b.y, on_b[2] += pull * row.on_b.turn;
 }
 
 /// Along the way to where the slope is 0, or nearly: mostly that is its end.
 void ContactNewton::go_along() {
-  const auto slope = [this] {
-    double sum = 0;
-    for (std::size_t k = 0; k < way_.size(); ++k) sum += way_[k] * residual_[k];
-    return sum;
-  };
   double gone = 0;
   const auto go_to = [&](double share) {
     for (std::size_t k = 0; k < way_.size(); ++k) change_[k] += (share - gone) * way_[k];
     gone = share;
     respond();
-    find_residual();
-    return slope();
+    return dot_product(way_, residual_);
   };
-  const double steepest = std::abs(slope());
+  const double steepest = std::abs(dot_product(way_, residual_));
   double low = 0;
   double high = 1;
   double slope_low = -steepest;
@@ -415,32 +310,199 @@ void ContactNewton::go_along() {
   }
 }
 
+void ContactNewton::begin(const std::vector<ContactRow>& rows, const std::vector<Motion>& motions) {
+  std::fill(change_.begin(), change_.end(), 0.0);
+  scale_ = 0;
+  std::size_t i = 0;
+  for (const Touch& touch : touches_) {
+    const Motion& a = motions[touch.body_a];
+    const Motion& b = motions[touch.body_b];
+    const Vec2d parting = Vec2d(b.velocity) - Vec2d(a.velocity);
+    const auto spin_a = static_cast<double>(a.spin);
+    const auto spin_b = static_cast<double>(b.spin);
+    for (; i < touch.end; ++i) {
+      Row& row = rows_[i];
+      row.start = row.x * parting.x + row.y * parting.y + row.arm_b * spin_b - row.arm_a * spin_a +
+                  static_cast<double>(rows[i].bias);
+      row.given = row.from = static_cast<double>(rows[i].given);
+      scale_ = std::max(scale_, std::abs(row.given) * row.size);
+      const double approach = rows[i].kind == RowKind::gap ? std::max(-row.start, 0.0) : std::abs(row.start);
+      if (!rows[i].off) scale_ = std::max(scale_, approach * row.mass * row.size);
+    }
+  }
+}
+
+void ContactNewton::set_stiffness(double stiffness) {
+  if (stiffness == stiffness_) return;
+  stiffness_ = stiffness;
+  for (Row& row : rows_) row.stiffness = stiffness * row.mass;
+}
+
+void ContactNewton::bound(const std::vector<ContactRow>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) bound(rows[i], rows_[i]);
+}
+
+/// What a row may give at most; friction and rolling resistance follow the gaps.
+void ContactNewton::bound(const ContactRow& row, Row& own) const {
+  own.least = 0;
+  own.most = row.off || own.mass <= 0 ? 0 : std::numeric_limits<double>::infinity();
+  if (row.kind == RowKind::gap) return;
+  own.most = 0;
+  for (std::size_t k = row.first_gap; own.mass > 0 && k < row.first_gap + row.gap_count; ++k)
+    own.most += static_cast<double>(row.coefficient) * rows_[k].from;
+  own.least = -own.most;
+}
+
+void ContactNewton::find_speeds(const std::vector<double>& change) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Mover& m = movers_[i];
+    speeds_[i] = {m.root_inv_mass * change[3 * i], m.root_inv_mass * change[3 * i + 1],
+                  m.root_inv_inertia * change[3 * i + 2]};
+  }
+}
+
+/// Impulses at the present velocities, and what is missing to balance.
+void ContactNewton::respond() {
+  count_row_updates(rows_.size());
+  find_speeds(change_);
+  std::size_t differing = 0;
+  find_pushes([&differing](std::size_t, Row& row, double change) {
+    const double wanted = row.from - row.stiffness * (row.start + change);
+    row.acts = wanted > row.least && wanted < row.most;
+    row.impulse = wanted < row.least ? row.least : wanted > row.most ? row.most : wanted;
+    differing += row.acts != row.acted ? 1 : 0;
+    return row.impulse - row.given;
+  });
+  differing_ = differing;
+  find_residual();
+}
+
+/// What the change of the velocities and the impulses differ by.
+void ContactNewton::find_residual() {
+  off_balance_ = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Mover& m = movers_[i];
+    const Twist& push = pushes_[i];
+    const double pushed[3] = {m.root_inv_mass * push.x, m.root_inv_mass * push.y, m.root_inv_inertia * push.turn};
+    for (std::size_t k = 0; k < 3; ++k) {
+      residual_[3 * i + k] = change_[3 * i + k] - pushed[k];
+      off_balance_ = std::max(off_balance_, std::abs(residual_[3 * i + k]));
+    }
+  }
+}
+
+/// Row after row takes the impulse it needs at the moment: nobody is far off after that.
+void ContactNewton::sweep(const std::vector<ContactRow>& rows, int times) {
+  find_speeds(change_);
+  std::fill(pushes_.begin(), pushes_.end(), Twist{});
+  const auto push = [this](int body, double x, double y, double turn) {
+    const Mover& m = movers_[at(body)];
+    Twist& speed = speeds_[at(body)];
+    Twist& sum = pushes_[at(body)];
+    const double inv_mass = m.root_inv_mass * m.root_inv_mass;
+    const double inv_inertia = m.root_inv_inertia * m.root_inv_inertia;
+    speed = {speed.x + inv_mass * x, speed.y + inv_mass * y, speed.turn + inv_inertia * turn};
+    sum = {sum.x + x, sum.y + y, sum.turn + turn};
+  };
+  for (int sweep = 0; sweep < times; ++sweep) {
+    std::size_t i = 0;
+    for (const Touch& touch : touches_) {
+      for (; i < touch.end; ++i) {
+        Row& row = rows_[i];
+        bound(rows[i], row);
+        if (row.mass <= 0) continue;
+        const Twist& a = speeds_[at(touch.a)];
+        const Twist& b = speeds_[at(touch.b)];
+        const double speed =
+            row.start + row.x * (b.x - a.x) + row.y * (b.y - a.y) + row.arm_b * b.turn - row.arm_a * a.turn;
+        const double impulse = std::clamp(row.from - speed * row.mass, row.least, row.most);
+        const double gained = impulse - std::exchange(row.from, impulse);
+        push(touch.a, -row.x * gained, -row.y * gained, -row.arm_a * gained);
+        push(touch.b, row.x * gained, row.y * gained, row.arm_b * gained);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    change_[3 * i] += movers_[i].root_inv_mass * pushes_[i].x;
+    change_[3 * i + 1] += movers_[i].root_inv_mass * pushes_[i].y;
+    change_[3 * i + 2] += movers_[i].root_inv_inertia * pushes_[i].turn;
+  }
+}
+
+/// The matrix depends on which rows act, and on nothing else.
+void ContactNewton::factor_if_changed() {
+  if (differing_ == 0 && factored_with_ == stiffness_) return;
+  matrix_.clear();
+  for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+    const auto block = matrix_.block(matrix_.place_of(body, body));
+    for (int k = 0; k < 3; ++k) block(k, k) = 1;
+  }
+  std::size_t first = 0;
+  for (const Touch& touch : touches_) {
+    add_to_matrix(touch, first);
+    first = touch.end;
+  }
+  factored_with_ = stiffness_;
+  differing_ = 0;
+  matrix_.factor();
+}
+
+/// The springs of the rows that act pull at both bodies.
+void ContactNewton::add_to_matrix(const Touch& touch, std::size_t first) {
+  double xx = 0, xy = 0, yy = 0;
+  double xa = 0, ya = 0, xb = 0, yb = 0;
+  double aa = 0, ab = 0, bb = 0;
+  for (std::size_t i = first; i < touch.end; ++i) {
+    Row& row = rows_[i];
+    row.acted = row.acts;
+    if (!row.acts) continue;
+    const double x = row.stiffness * row.x;
+    const double y = row.stiffness * row.y;
+    xx += x * row.x, xy += x * row.y, yy += y * row.y;
+    xa += x * row.arm_a, ya += y * row.arm_a, xb += x * row.arm_b, yb += y * row.arm_b;
+    aa += row.stiffness * row.arm_a * row.arm_a;
+    ab += row.stiffness * row.arm_a * row.arm_b;
+    bb += row.stiffness * row.arm_b * row.arm_b;
+  }
+  // On one body, or between two: what moves i by what moves j, in units of mass 1.
+  const auto add = [&](int place, const Mover& i, const Mover& j, double sign, const double(&sums)[9]) {
+    const double left[3] = {sign * i.root_inv_mass, sign * i.root_inv_mass, sign * i.root_inv_inertia};
+    const double top[3] = {j.root_inv_mass, j.root_inv_mass, j.root_inv_inertia};
+    const auto block = matrix_.block(place);
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) block(r, c) += left[r] * top[c] * sums[3 * r + c];
+    }
+  };
+  const Mover& a = movers_[at(touch.a)];
+  const Mover& b = movers_[at(touch.b)];
+  if (moves(touch.a)) add(touch.place_a, a, a, 1, {xx, xy, xa, xy, yy, ya, xa, ya, aa});
+  if (moves(touch.b)) add(touch.place_b, b, b, 1, {xx, xy, xb, xy, yy, yb, xb, yb, bb});
+  if (!moves(touch.a) || !moves(touch.b)) return;
+  if (touch.a > touch.b) add(touch.place_between, a, b, -1, {xx, xy, xb, xy, yy, yb, xa, ya, ab});
+  if (touch.a < touch.b) add(touch.place_between, b, a, -1, {xx, xy, xa, xy, yy, ya, xb, yb, ab});
+}
+
 /// The springs' impulses become what they start from. True when that hardly changes anything: what acts gives way by no
 /// more than `settled`, and what is cut off stays where it was.
 bool ContactNewton::take_impulses() {
+  const double give = 1 / stiffness_;
   double change = 0;
   for (Row& row : rows_) {
-    change = std::max(change, std::abs(row.impulse - row.from) * row.size / (row.acts ? stiffness_ : 1));
+    change = std::max(change, std::abs(row.impulse - row.from) * row.size * (row.acts ? give : 1));
     row.from = row.impulse;
     scale_ = std::max(scale_, std::abs(row.from) * row.size);
   }
   return change <= settled * scale_;
 }
 
-void ContactNewton::apply(std::vector<ContactRow>& rows, std::vector<Motion>& motions) const {
-  std::vector<double> gained(3 * bodies_.size(), 0.0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows_[i];
-    const double impulse = row.from - row.given;
-    for (std::size_t k = 0; row.a >= 0 && k < 3; ++k) gained[3 * at(row.a) + k] += row.on_a[k] * impulse;
-    for (std::size_t k = 0; row.b >= 0 && k < 3; ++k) gained[3 * at(row.b) + k] += row.on_b[k] * impulse;
-    rows[i].given = static_cast<real>(row.from);
-  }
+void ContactNewton::apply(std::vector<ContactRow>& rows, std::vector<Motion>& motions) {
+  find_pushes([](std::size_t, const Row& row, double) { return row.from - row.given; });
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].given = static_cast<real>(rows_[i].from);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Motion& m = motions[bodies_[i]];
-    const double root_mass = std::sqrt(static_cast<double>(m.inv_mass));
-    m.velocity += Vec2(Vec2d{root_mass * gained[3 * i], root_mass * gained[3 * i + 1]});
-    m.spin += static_cast<real>(std::sqrt(static_cast<double>(m.inv_inertia)) * gained[3 * i + 2]);
+    const auto inv_mass = static_cast<double>(m.inv_mass);
+    m.velocity += Vec2(Vec2d{inv_mass * pushes_[i].x, inv_mass * pushes_[i].y});
+    m.spin += static_cast<real>(static_cast<double>(m.inv_inertia) * pushes_[i].turn);
   }
 }
 

@@ -141,18 +141,22 @@ void ContactSolver::prepare(const std::vector<Contact>& contacts, const std::vec
   softness_ = softness;
   parts_ = parts;
   constraints_.clear();
-  parts_overlaps_ = false;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].manifold.count == 0 || contacts[i].sensor) continue;
     constraints_.push_back(constraint_of(i, contacts[i], shapes, motions));
-    parts_overlaps_ |= constraints_.back().push_speed <= 0;
   }
+  look_for_overlaps();
   surface_speeds_.clear();
   if (parts.surface_speed) {
     for (const ContactConstraint& c : constraints_) surface_speeds_.push_back(contacts[c.contact].surface_speed);
   }
   rolling_.clear();
   if (parts.rolling_resistance) rolling_.prepare(contacts, constraints_, motions);
+}
+
+void ContactSolver::look_for_overlaps() {
+  parts_overlaps_ = std::any_of(constraints_.begin(), constraints_.end(),
+                                [](const ContactConstraint& c) { return c.push_speed <= 0; });
 }
 
 void ContactSolver::take_in(const std::vector<std::uint32_t>& which, const std::vector<Contact>& contacts,

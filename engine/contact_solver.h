@@ -108,6 +108,8 @@ class ContactSolver {
   /// Whether some bodies are still inside each other since they met. The push that drives them out would add up from
   /// body to body along a pile, and no relaxing sweep gets all of it back.
   bool parts_overlaps() const { return parts_overlaps_; }
+  /// Call when others have changed what drives overlap out.
+  void look_for_overlaps();
   /// Moves them out, by their push_rate at most, and leaves no other contact worse than it was. No velocity changes.
   void part(std::vector<Motion>& motions, real h) const;
   /// Looks at some of the contacts anew amid a tick; all others go on as they were prepared.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/contact_goals.h"
-
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
 namespace {
@@ -58,7 +56,7 @@ void ExactContacts::solve_positions(ContactSolver& contacts, JointSolver* joints
     const bool once = !group.joint_groups.empty() || (group.large && share_ == Share::affordable);
     const int rounds = once ? 1 : most_rounds;
     for (int round = 0; round < rounds; ++round) {
-      if (set_goals(group.rows, contacts, scene.motions, h, reach == Reach::closed) <= 1 && round > 0) break;
+      if (goals_.set(group.rows, contacts, scene.motions, h, reach == Reach::closed) <= 1 && round > 0) break;
       take_in_stops(group, joints, scene, h);
       if (!solve(group, contacts, joints, scene, Stage::before_drift)) break;
     }

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/contact_goals.h"
 #include "engine/contact_newton.h"
 #include "engine/contact_problem.h"
 #include "engine/contact_solver.h"
@@ -124,6 +125,7 @@ class ExactContacts {
   std::size_t used_ = 0;
   std::vector<std::size_t> group_of_;  ///< of every constraint
   std::size_t chosen_groups_ = 0;
+  ContactGoals goals_;
   LoneBodyContacts lone_body_contacts_;
   std::vector<Motion> scratch_;
   std::vector<Stop> stops_;   ///< scratch

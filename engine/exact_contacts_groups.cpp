@@ -34,8 +34,9 @@ constexpr real visible_load = real(0.00125);
 constexpr real fastest_with_stops = 3;
 /// Thicknesses per second: bodies that press each other and slip faster jostle.
 constexpr real jostling = real(0.5);
-/// After so many ticks in which a group jostled and did not settle it is left to the sweeps for so many.
-constexpr std::uint8_t most_failures = 5;
+/// After so many ticks in which a group jostled and did not settle it is left to the sweeps for so many. (What is
+/// struck hard settles before that: left alone amid a blow, a pile would sink under it.)
+constexpr std::uint8_t most_failures = 10;
 constexpr std::uint8_t soft_ticks_after_failures = 240;
 
 BodyIndex moved_body(const ContactConstraint& c, const std::vector<Motion>& motions) {

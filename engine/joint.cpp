@@ -38,19 +38,13 @@ real joint_offset(const Joint& joint, const std::vector<Joint>& joints, const st
   return 0;
 }
 
-JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const Motion& a, const Motion& b) {
-  JointPlace p;
-  p.arm_a = rotate(a.rotation, joint.local_a);
-  p.arm_b = rotate(b.rotation, joint.local_b);
-  p.centers = (bodies[joint.body_b].center - bodies[joint.body_a].center) + (b.delta - a.delta);
-  p.gap = p.centers + (p.arm_b - p.arm_a);
-  p.turn = (b.angle - a.angle) - joint.angle;
+void add_axis_and_ropes(JointPlace& p, const Joint& joint, const std::vector<Body>& bodies, const Motion& a,
+                        const Motion& b) {
   if (has_axis(joint)) p.axis = rotate(a.rotation, joint.local_axis);
   if (joint.kind == JointKind::pulley) {
     p.rope_a = (bodies[joint.body_a].center - joint.pin_a) + (a.delta + p.arm_a);
     p.rope_b = (bodies[joint.body_b].center - joint.pin_b) + (b.delta + p.arm_b);
   }
-  return p;
 }
 
 real violation(const Joint& joint, const std::vector<Joint>& joints, const std::vector<Body>& bodies,

@@ -83,7 +83,19 @@ struct JointPlace {
   Vec2 rope_a;    ///< of pulleys: from the pins to the anchors
   Vec2 rope_b;
 };
-JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const Motion& a, const Motion& b);
+/// What only few kinds look at.
+void add_axis_and_ropes(JointPlace& place, const Joint& joint, const std::vector<Body>& bodies, const Motion& a,
+                        const Motion& b);
+inline JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const Motion& a, const Motion& b) {
+  JointPlace p;
+  p.arm_a = rotate(a.rotation, joint.local_a);
+  p.arm_b = rotate(b.rotation, joint.local_b);
+  p.centers = (bodies[joint.body_b].center - bodies[joint.body_a].center) + (b.delta - a.delta);
+  p.gap = p.centers + (p.arm_b - p.arm_a);
+  p.turn = (b.angle - a.angle) - joint.angle;
+  if (has_axis(joint) || joint.kind == JointKind::pulley) add_axis_and_ropes(p, joint, bodies, a, b);
+  return p;
+}
 inline JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {
   return place_of(joint, bodies, motions[joint.body_a], motions[joint.body_b]);
 }

@@ -19,6 +19,7 @@ JointGroup::JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<
   seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
   ahead_.resize(seen_.size());
   for (const std::uint32_t i : ids) add_link(i, joints, wanted);
+  ahead_places_.resize(links_.size());
   couple(motions);
 }
 
@@ -38,7 +39,8 @@ void JointGroup::add_link(std::uint32_t id, const std::vector<Joint>& joints, Ro
     driven_ += plan.bound == Bound::driven;
     Row& row = rows_.emplace_back();
     row.joint = id;
-    row.slot = slot;
+    row.slot = static_cast<std::uint32_t>(slot);
+    row.link = static_cast<std::uint32_t>(links_.size() - 1);
     row.plan = plan;
     row.terms = bodies_of(joints[id], joints);
   }
@@ -49,16 +51,36 @@ void JointGroup::linearize(const JointedBodies& scene) {
   for (const Link& link : links_) {
     const Joint& joint = scene.joints[link.joint];
     const JointPlace place = place_of(joint, scene.bodies, scene.motions);
-    for (Row& row : rows_of(link)) {
-      const Terms terms = terms_of(row.plan, joint, place, scene);
-      stale_ |= terms != row.terms;
-      if (row.plan.bound == Bound::driven)
-        row.drifted = real(0.5) * (speed_of(row.terms, scene.motions) + speed_of(terms, scene.motions));
-      row.terms = terms;
-      row.scale = scale_of(row, scene);
-      row.value = value_of(row.plan, joint, place, scene, 0);
-    }
+    for (Row& row : rows_of(link)) linearize_row(row, joint, place, scene);
   }
+}
+
+void JointGroup::linearize_row(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+  const bool driven = row.plan.bound == Bound::driven;
+  const real before = driven ? speed_of(row.terms, scene.motions) : 0;
+  row.value = value_of(row.plan, joint, place, scene, 0);
+  direct(row, joint, place, scene);
+  if (driven) row.drifted = real(0.5) * (before + speed_of(row.terms, scene.motions));
+  row.scale = scale_of(row, scene);
+}
+
+/// What only turns always does so in the same direction; the directions of pins stay, but their arms turn.
+void JointGroup::direct(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+  Term& term = row.terms.terms[0];
+  const bool known = term.arm_a != 0;
+  if (row.plan.coordinate == Coordinate::turn && known) return;
+  const bool is_pin = row.plan.coordinate == Coordinate::anchor_x || row.plan.coordinate == Coordinate::anchor_y;
+  if (is_pin && known) {
+    const real arm_a = cross(place.arm_a, term.direction);
+    const real arm_b = cross(place.arm_b, term.direction);
+    stale_ |= arm_a != term.arm_a || arm_b != term.arm_b;
+    term.arm_a = arm_a;
+    term.arm_b = arm_b;
+    return;
+  }
+  const Terms terms = terms_of(row.plan, joint, place, scene);
+  stale_ |= terms != row.terms;
+  row.terms = terms;
 }
 
 /// Metres are measured by the joint's size and the way to its stop; angles by themselves, for the last digits of many
@@ -75,11 +97,6 @@ real JointGroup::scale_of(const Row& row, const JointedBodies& scene) const {
     angles += std::abs(term.arm_b * scene.motions[term.body_b].angle);
   }
   return real(0.125) * angles;
-}
-
-void JointGroup::apply(Row& row, real impulse, const JointedBodies& scene) const {
-  push(row.terms, impulse, scene.motions);
-  row.given += impulse;
 }
 
 /// At the end of a substep, before directions change.

@@ -83,7 +83,8 @@ class JointGroup {
  private:
   struct Row {
     std::uint32_t joint = 0;
-    std::size_t slot = 0;  ///< in the joint's memory
+    std::uint32_t slot = 0;  ///< in the joint's memory
+    std::uint32_t link = 0;
     RowPlan plan;
     Terms terms;
     bool on = true;        ///< it is part of the system
@@ -91,8 +92,7 @@ class JointGroup {
     int at_bound = 0;      ///< driven: gives all it has, forwards (1) or backwards (-1)
     real value = 0;        ///< C at the start of this substep
     real goal = 0;         ///< what is left of C after this substep
-    real miss = 0;         ///< by how much C would end beside the goal
-    real scale = 1;        ///< what `miss` is measured by
+    real scale = 1;        ///< what is missed of it is measured by
     real begun = 0;        ///< driven: impulse given before the drift
     real pushed = 0;       ///< impulse of the velocity stage
     real pushed_before = 0;
@@ -122,6 +122,12 @@ class JointGroup {
     Side column;
     BodyIndex body = 0;
     int place = 0;  ///< of the block
+    // As the rows are numbered at present.
+    int first_row = 0;
+    int rows_end = 0;
+    int first_column = 0;
+    int columns_end = 0;
+    BlockMatrix::Spot spot;
   };
 
   /// How a row pushes a body: along a direction and by an arm.
@@ -143,6 +149,7 @@ class JointGroup {
   void number_rows();
   void assemble(const std::vector<Motion>& motions);
   void find_levers();
+  void find_spots();
   void fill(const std::vector<Motion>& motions);
   real factor_with(real give);
   /// The system of the rows that hold in this stage; factored anew only where something has changed.
@@ -163,14 +170,22 @@ class JointGroup {
   real scale_of(const Row& row, const JointedBodies& scene) const;
   void begin_motors(const JointedBodies& scene, real h, real share);
   void book_begun(const JointedBodies& scene);
-  void apply(Row& row, real impulse, const JointedBodies& scene) const;
+  void apply(Row& row, real impulse, const JointedBodies& scene) const {
+    push(row.terms, impulse, scene.motions);
+    row.given += impulse;
+  }
+  void linearize_row(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
+  void direct(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
+  real miss_of(const Row& row, const JointedBodies& scene, real h) const {
+    return value_of(row.plan, scene.joints[row.joint], ahead_places_[row.link], scene, h) - row.goal;
+  }
   void book_reactions(const JointedBodies& scene);
 
   // Positions (joint_group_positions.cpp).
   bool set_goals(const JointedBodies& scene, real h);
   real predict(const JointedBodies& scene, real h);
   bool iterate(const JointedBodies& scene, real h);
-  bool settle_positions(const JointedBodies& scene, bool one_at_a_time);
+  bool settle_positions(const JointedBodies& scene, real h, bool one_at_a_time);
   bool arrive_evenly(const JointedBodies& scene, real h);
   void close_gently(const JointedBodies& scene, real h);
   bool has_mover(const JointedBodies& scene) const;
@@ -201,6 +216,7 @@ class JointGroup {
   std::vector<BodyIndex> bodies_;
   std::vector<BodyIndex> seen_;             ///< these, and what they hang on
   std::vector<Motion> ahead_;               ///< where all that is seen will be
+  std::vector<JointPlace> ahead_places_;    ///< and the joints of all links
   std::vector<InverseMass> factored_with_;  ///< of `bodies_`, when the system was factored
   std::vector<Coupling> couplings_;
   BlockMatrix matrix_;

@@ -36,23 +36,21 @@ bool JointGroup::set_goals(const JointedBodies& scene, real h) {
 /// Puts into the right side by how much each row would miss its goal after drifting for `h`; the largest miss of those
 /// that hold comes back, in units of its scale.
 real JointGroup::predict(const JointedBodies& scene, real h) {
-  real worst = 0;
-  std::size_t number = 0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     ahead_[i] = scene.motions[seen_[i]];
     drift(ahead_[i], h);
   }
-  for (const Link& link : links_) {
-    const Joint& joint = scene.joints[link.joint];
-    const JointPlace place = place_of(joint, scene.bodies, ahead_[static_cast<std::size_t>(link.place_a)],
-                                      ahead_[static_cast<std::size_t>(link.place_b)]);
-    for (Row& row : rows_of(link)) {
-      if (row.plan.bound == Bound::driven) continue;
-      row.miss = value_of(row.plan, joint, place, scene, h) - row.goal;
-      if (!row.on) continue;
-      right_side_[number++] = -row.miss / h;
-      worst = std::max(worst, std::abs(row.miss) / row.scale);
-    }
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    ahead_places_[i] =
+        place_of(scene.joints[links_[i].joint], scene.bodies, ahead_[static_cast<std::size_t>(links_[i].place_a)],
+                 ahead_[static_cast<std::size_t>(links_[i].place_b)]);
+  }
+  real worst = 0;
+  for (std::size_t k = 0; k < on_.size(); ++k) {
+    const Row& row = on_row(k);
+    const real miss = miss_of(row, scene, h);
+    right_side_[k] = -miss / h;
+    worst = std::max(worst, std::abs(miss) / row.scale);
   }
   return worst;
 }
@@ -81,7 +79,7 @@ bool JointGroup::solve_positions(const JointedBodies& scene, real h) {
   prepare(scene, false);
   bool arrived = iterate(scene, h);
   for (int round = 1; one_sided_ > 0 && round < most_rounds(one_sided_); ++round) {
-    if (!settle_positions(scene, round > rounds_together)) break;
+    if (!settle_positions(scene, h, round > rounds_together)) break;
     assemble(scene.motions);
     arrived = iterate(scene, h);
   }
@@ -109,13 +107,13 @@ bool JointGroup::arrive_evenly(const JointedBodies& scene, real h) {
 }
 
 /// One-sided rows that pull let go, those that would be overrun hold. False when none had to change.
-bool JointGroup::settle_positions(const JointedBodies& scene, bool one_at_a_time) {
+bool JointGroup::settle_positions(const JointedBodies& scene, real h, bool one_at_a_time) {
   bool changed = false;
   for (const int r : bounded_) {
     Row& row = rows_[static_cast<std::size_t>(r)];
     if (row.plan.bound != Bound::at_least || (changed && one_at_a_time)) continue;
     RowMemory& kept = memory(row, scene);
-    if (row.on ? kept.impulse >= 0 : row.miss >= -row_tolerance * row.scale) continue;
+    if (row.on ? kept.impulse >= 0 : miss_of(row, scene, h) >= -row_tolerance * row.scale) continue;
     if (row.on) apply(row, -kept.impulse, scene);
     kept.impulse = 0;
     switch_row(row, !row.on);

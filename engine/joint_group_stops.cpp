@@ -24,9 +24,11 @@ void JointGroup::find_stops(const JointedBodies& scene, real h, std::vector<Stop
   for (const int r : bounded_) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
     const RowMemory& kept = memory(row, scene);
-    if (row.plan.bound != Bound::at_least || (!kept.engaged && row.miss > reach_of_stops * row.scale)) continue;
+    if (row.plan.bound != Bound::at_least) continue;
+    const real miss = miss_of(row, scene, h);
+    if (!kept.engaged && miss > reach_of_stops * row.scale) continue;
     const Term& term = row.terms.terms[0];
-    stops.push_back({static_cast<std::size_t>(r), term, row.miss / h - speed_of(term, scene.motions), kept.impulse});
+    stops.push_back({static_cast<std::size_t>(r), term, miss / h - speed_of(term, scene.motions), kept.impulse});
   }
 }
 

@@ -48,7 +48,10 @@ void JointGroup::couple(const std::vector<Motion>& motions) {
     factored_with_.emplace_back();
     for (end = begin; end < sides.size() && sides[end].first == body; ++end) {
       for (std::size_t other = begin; other <= end; ++other) {
-        const Coupling coupling{sides[end].second, sides[other].second, body, 0};
+        Coupling coupling;
+        coupling.row = sides[end].second;
+        coupling.column = sides[other].second;
+        coupling.body = body;
         couplings_.push_back(coupling);
         // A gear may hold the same body twice; then its two sides meet in both orders.
         if (other != end && coupling.row.link == coupling.column.link) couplings_.push_back(coupling);
@@ -114,6 +117,17 @@ void JointGroup::number_rows() {
   right_side_.assign(on_.size(), 0);
   levers_.resize(on_.size());
   matrix_.resize(links_on_);
+  find_spots();
+}
+
+void JointGroup::find_spots() {
+  for (Coupling& k : couplings_) {
+    k.first_row = matrix_.first(k.row.link);
+    k.rows_end = matrix_.first(k.row.link + 1);
+    k.first_column = matrix_.first(k.column.link);
+    k.columns_end = matrix_.first(k.column.link + 1);
+    k.spot = matrix_.spot(k.place);
+  }
 }
 
 /// J M^-1 J^T, body by body.
@@ -121,18 +135,18 @@ void JointGroup::fill(const std::vector<Motion>& motions) {
   matrix_.clear();
   for (const Coupling& k : couplings_) {
     const Motion& m = motions[k.body];
-    const BlockMatrix::Block block = matrix_.block(k.place);
-    const int columns = matrix_.first(k.column.link);
-    const int rows = matrix_.first(k.row.link);
-    const int columns_end = matrix_.first(k.column.link + 1);
-    const int rows_end = matrix_.first(k.row.link + 1);
-    for (int r = rows; r < rows_end; ++r) {
-      const Lever& lever = levers_[static_cast<std::size_t>(r)][k.row.side];
-      const Vec2 speed = m.inv_mass * lever.direction;
-      const real spin = m.inv_inertia * lever.arm;
-      for (int c = columns; c < std::min(r + 1, columns_end); ++c) {
-        const Lever& other = levers_[static_cast<std::size_t>(c)][k.column.side];
-        block(r - rows, c - columns) += dot(other.direction, speed) + other.arm * spin;
+    const BlockMatrix::Block block = matrix_.block(k.spot);
+    const std::array<Lever, 4>* lever = levers_.data() + k.first_row;
+    real* entries = block.values;
+    for (int r = k.first_row; r < k.rows_end; ++r, ++lever, ++entries) {
+      const Lever& mine = (*lever)[k.row.side];
+      const Vec2 speed = m.inv_mass * mine.direction;
+      const real spin = m.inv_inertia * mine.arm;
+      const std::array<Lever, 4>* others = levers_.data() + k.first_column;
+      const std::array<Lever, 4>* end = levers_.data() + std::min(r + 1, k.columns_end);
+      for (real* entry = entries; others != end; ++others, entry += block.stride) {
+        const Lever& other = (*others)[k.column.side];
+        *entry += dot(other.direction, speed) + other.arm * spin;
       }
     }
   }

@@ -70,6 +70,8 @@ Terms terms_along(Coordinate coordinate, const Joint& joint, const JointPlace& p
   return {};
 }
 
+}  // namespace
+
 real coordinate_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
                    real ahead) {
   switch (plan.coordinate) {
@@ -96,8 +98,6 @@ real coordinate_of(const RowPlan& plan, const Joint& joint, const JointPlace& pl
   return 0;
 }
 
-}  // namespace
-
 Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
   Terms terms = terms_along(plan.coordinate, joint, place, scene);
   if (plan.sign > 0) return terms;
@@ -105,13 +105,7 @@ Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place,
   return terms;
 }
 
-real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
-              real ahead) {
-  return plan.sign * (coordinate_of(plan, joint, place, scene, ahead) - plan.offset);
-}
-
-real wanted_speed(const RowPlan& plan, const Joint& joint) {
-  if (plan.bound != Bound::driven) return 0;
+real driven_speed(const RowPlan& plan, const Joint& joint) {
   if (plan.coordinate == Coordinate::carried_x) return joint.velocity.x;
   if (plan.coordinate == Coordinate::carried_y) return joint.velocity.y;
   return joint.motor->speed;

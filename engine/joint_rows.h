@@ -95,11 +95,26 @@ inline void push(const Terms& terms, real impulse, std::vector<Motion>& motions)
 /// dC/dt of a row, from where the joint stands.
 Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
 
-/// C of a row: at the place that the joint has or, what is not seen from there, `ahead` seconds from now.
-real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene, real ahead);
+/// The number a row keeps: at the place that the joint has or, what is not seen from there, `ahead` seconds from now.
+real coordinate_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
+                   real ahead);
 
-/// The speed a driven row is to have; 0 for all others.
-real wanted_speed(const RowPlan& plan, const Joint& joint);
+/// C of a row. Most rows are those of pins.
+inline real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
+                     real ahead) {
+  const real now = plan.coordinate == Coordinate::anchor_x   ? place.gap.x
+                   : plan.coordinate == Coordinate::anchor_y ? place.gap.y
+                   : plan.coordinate == Coordinate::turn     ? place.turn
+                                                             : coordinate_of(plan, joint, place, scene, ahead);
+  return plan.sign * (now - plan.offset);
+}
+
+/// The speed a driven row is to have.
+real driven_speed(const RowPlan& plan, const Joint& joint);
+/// The speed a row is to have: 0 unless it is driven.
+inline real wanted_speed(const RowPlan& plan, const Joint& joint) {
+  return plan.bound == Bound::driven ? driven_speed(plan, joint) : real(0);
+}
 /// The most that a driven row may give, N or N m.
 real strongest(const RowPlan& plan, const Joint& joint);
 

@@ -15,7 +15,7 @@ struct WorkDone {
 };
 
 /// Of the simulation that counts; null while none does.
-inline thread_local WorkDone* counted_work = nullptr;
+inline constinit thread_local WorkDone* counted_work = nullptr;
 
 inline void count_row_updates(std::size_t rows) {
   if (counted_work != nullptr) counted_work->row_updates += static_cast<std::int64_t>(rows);

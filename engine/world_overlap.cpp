@@ -45,6 +45,7 @@ void World::part_jointed_by_velocity() {
   for (ContactConstraint& c : contact_solver_.constraints()) {
     if (jointed[c.body_a] != 0 || jointed[c.body_b] != 0) c.push_speed = push_rate * c.length;
   }
+  contact_solver_.look_for_overlaps();
 }
 
 /// What lifts them is work from outside: nobody could have put them there without.

@@ -21,12 +21,14 @@ struct System {
   std::vector<int> most_rows;
   std::vector<std::vector<int>> below;
 
-  explicit System(Random& random) : below(1 + random.below(20)) {
-    const int blocks = static_cast<int>(below.size());
-    for (int c = 0; c < blocks; ++c) {
-      most_rows.push_back(1 + static_cast<int>(random.below(5)));
-      for (int r = c + 1; r < blocks; ++r) {
-        if (random.below(4) == 0) below[at(c)].push_back(r);
+  explicit System(Random& random) : System(random, 1 + random.below(20), 0, 4) {}
+  /// Of so many blocks, each with so many rows (0: any number), one in so many of which is not 0.
+  System(Random& random, std::uint32_t blocks, int rows, std::uint32_t rarity) : below(blocks) {
+    const int count = static_cast<int>(below.size());
+    for (int c = 0; c < count; ++c) {
+      most_rows.push_back(rows > 0 ? rows : 1 + static_cast<int>(random.below(5)));
+      for (int r = c + 1; r < count; ++r) {
+        if (random.below(rarity) == 0) below[at(c)].push_back(r);
       }
     }
     REQUIRE(matrix.plan(below, most_rows, no_limit));
@@ -72,6 +74,14 @@ TEST_CASE("A factored system solves to the vector it was made from", "[block_mat
   for (int round = 0; round < 50; ++round) {
     System system(random);
     require_solved(system.matrix, system.fill(random), random);
+  }
+}
+
+TEST_CASE("So does one of bodies, which all have three equations, however their blocks lie", "[block_matrix]") {
+  Random random(4);
+  for (int round = 0; round < 30; ++round) {
+    System bodies(random, 1 + random.below(40), 3, 2 + random.below(20));
+    require_solved(bodies.matrix, bodies.fill(random), random);
   }
 }
 

@@ -61,6 +61,39 @@ TEST_CASE("A heavy weight at the end of a light chain is what iterating is bad a
   CHECK(widest_gap(chain(10, 100, JointMethod::direct), 1) < pick(1e-10, 1e-3));
 }
 
+TEST_CASE("Both equations of a pin are solved at once: after a single sweep its points do not part", "[joint sweeps]") {
+  Scene scene = chain(1, 1, JointMethod::iterative, 1);
+  const Vec2d anchor{-0.5, 0.3};
+  scene.joints[0].anchor_b = anchor;
+  scene.bodies[0].position = {0.5, -0.3};
+  const auto simulation = simulate(scene);
+  for (int tick = 0; tick < 30; ++tick) {
+    simulation->step();
+    const BodyState body = simulation->body(BodyId(1));
+    const double cosine = std::cos(body.angle);
+    const double sine = std::sin(body.angle);
+    const Vec2d arm{cosine * anchor.x - sine * anchor.y, sine * anchor.x + cosine * anchor.y};
+    CHECK(length(body.velocity + cross(body.spin, arm)) < pick(1e-14, 1e-6));
+  }
+}
+
+TEST_CASE("A kinematic body that pulls at a swept pin does the work that the pulled one gains", "[joint sweeps]") {
+  Scene scene = chain(1, 1, JointMethod::iterative);
+  scene.gravity = {0, 0};
+  BodyDef& puller = scene.bodies.emplace_back();
+  puller.type = BodyType::kinematic;
+  puller.velocity = {1, 2};
+  scene.bodies[0].velocity = {1, 2.5};  // so that it turns about the pin
+  scene.bodies[0].spin = 1;
+  scene.joints[0] = joint_between(JointKind::revolute, BodyId(2), {0, 0}, BodyId(1), {-0.5, 0});
+  const auto simulation = simulate(scene);
+  const Energy before = simulation->energy();
+  run(*simulation, 0.5);
+  const Energy after = simulation->energy();
+  CHECK(std::abs(after.total() - before.total()) > 0.1);
+  CHECK(after.booked_work == Approx(after.total() - before.total()).epsilon(0.03));
+}
+
 TEST_CASE("Impulses of iterated joints are mutual: momentum stays", "[joint sweeps]") {
   Scene scene = chain(4, 3, JointMethod::iterative);
   scene.gravity = {0, 0};

@@ -1,0 +1,122 @@
+#include "engine/joint_pins.h"
+
+#include <utility>
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+bool JointPins::is_pin(const RowPlan& row, const RowPlan& next) {
+  const auto is_row = [](const RowPlan& plan, Coordinate coordinate) {
+    return plan.coordinate == coordinate && plan.bound == Bound::equal && plan.sign == 1 && plan.offset == 0;
+  };
+  return is_row(row, Coordinate::anchor_x) && is_row(next, Coordinate::anchor_y);
+}
+
+void JointPins::clear() {
+  pins_.clear();
+  sources_.clear();
+}
+
+void JointPins::add(std::uint32_t joint, std::uint32_t slot, const std::vector<Joint>& joints) {
+  Pin& pin = pins_.emplace_back();
+  pin.body_a = joints[joint].body_a;
+  pin.body_b = joints[joint].body_b;
+  Source& source = sources_.emplace_back();
+  source.joint = joint;
+  source.slot = slot;
+}
+
+/// The response of both points together is a symmetric matrix of 2 x 2, inverted by Cramer's rule.
+void JointPins::linearize(const JointedBodies& scene) {
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    Pin& pin = pins_[i];
+    const JointPlace place = place_of(scene.joints[sources_[i].joint], scene.bodies, scene.motions);
+    pin.arm_a = place.arm_a;
+    pin.arm_b = place.arm_b;
+    pin.gap = place.gap;
+    const Motion& a = scene.motions[pin.body_a];
+    const Motion& b = scene.motions[pin.body_b];
+    const real inv_mass = a.inv_mass + b.inv_mass;
+    const real x = inv_mass + a.inv_inertia * pin.arm_a.y * pin.arm_a.y + b.inv_inertia * pin.arm_b.y * pin.arm_b.y;
+    const real y = inv_mass + a.inv_inertia * pin.arm_a.x * pin.arm_a.x + b.inv_inertia * pin.arm_b.x * pin.arm_b.x;
+    const real xy = a.inv_inertia * pin.arm_a.x * pin.arm_a.y + b.inv_inertia * pin.arm_b.x * pin.arm_b.y;
+    const real determinant = x * y - xy * xy;
+    const real inverse = determinant > 0 ? 1 / determinant : 0;
+    pin.mass_x = inverse * y;
+    pin.mass_xy = inverse * xy;  // the response's own is negative
+    pin.mass_y = inverse * x;
+  }
+}
+
+inline void JointPins::push(const Pin& pin, Vec2 impulse, std::vector<Motion>& motions) {
+  motions[pin.body_a].push(-impulse, pin.arm_a);
+  motions[pin.body_b].push(impulse, pin.arm_b);
+}
+
+void JointPins::begin_substep(const JointedBodies& scene) {
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    Source& source = sources_[i];
+    const auto& memory = scene.joints[source.joint].memory;
+    source.warm = {memory[source.slot].impulse, memory[source.slot + 1].impulse};
+    source.booked = {};
+    pins_[i].given = {};
+  }
+}
+
+void JointPins::add_share(const JointedBodies& scene, real share) {
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    const Vec2 impulse = share * sources_[i].warm;
+    pins_[i].given += impulse;
+    push(pins_[i], impulse, scene.motions);
+  }
+}
+
+/// Rigid, or with the give of a spring that closes the gap.
+inline void JointPins::solve(Pin& pin, const Softness& give, std::vector<Motion>& motions) {
+  const Vec2 parting = motions[pin.body_b].velocity_at(pin.arm_b) - motions[pin.body_a].velocity_at(pin.arm_a);
+  const Vec2 lacking = -(give.bias_rate * pin.gap) - parting;
+  const Vec2 wanted{pin.mass_x * lacking.x + pin.mass_xy * lacking.y, pin.mass_xy * lacking.x + pin.mass_y * lacking.y};
+  const Vec2 change = give.mass_scale * wanted - give.impulse_scale * pin.given;
+  pin.given += change;
+  push(pin, change, motions);
+}
+
+void JointPins::sweep(const Softness& give, std::vector<Motion>& motions) {
+  for (Pin& pin : pins_) solve(pin, give, motions);
+}
+
+void JointPins::sweep_back(const Softness& give, std::vector<Motion>& motions) {
+  for (std::size_t i = pins_.size(); i-- > 0;) solve(pins_[i], give, motions);
+}
+
+void JointPins::book(const JointedBodies& scene) {
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    Source& source = sources_[i];
+    const Vec2 impulse = pins_[i].given - std::exchange(source.booked, pins_[i].given);
+    scene.joints[source.joint].impulse += impulse;
+    source.total += impulse;
+  }
+}
+
+void JointPins::store(const JointedBodies& scene) const {
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    auto& memory = scene.joints[sources_[i].joint].memory;
+    memory[sources_[i].slot].impulse = pins_[i].given.x;
+    memory[sources_[i].slot + 1].impulse = pins_[i].given.y;
+  }
+}
+
+double JointPins::take_work(const JointedBodies& scene) {
+  double work = 0;
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    const Pin& pin = pins_[i];
+    const Vec2 impulse = std::exchange(sources_[i].total, Vec2{});
+    const Term along_x{pin.body_a, pin.body_b, {1, 0}, -pin.arm_a.y, -pin.arm_b.y};
+    const Term along_y{pin.body_a, pin.body_b, {0, 1}, pin.arm_a.x, pin.arm_b.x};
+    work += work_of_movers({{along_x, {}}, 1}, impulse.x, scene) + work_of_movers({{along_y, {}}, 1}, impulse.y, scene);
+  }
+  return work;
+}
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

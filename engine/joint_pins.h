@@ -1,0 +1,67 @@
+#pragma once
+
+/// The pins among the joints that are swept (joint_sweeps.h): two equations each, that two points do not part to either
+/// side. A sweep solves both at once, which is cheaper than one after the other and leaves nothing open between them.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/contact_solver.h"
+#include "engine/joint_rows.h"
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+class JointPins {
+ public:
+  /// Whether two rows of a joint are those of a pin.
+  static bool is_pin(const RowPlan& row, const RowPlan& next);
+  void clear();
+  /// `slot` is the place of the first of the pin's two rows in the joint's memory.
+  void add(std::uint32_t joint, std::uint32_t slot, const std::vector<Joint>& joints);
+  std::size_t size() const { return pins_.size(); }
+  void linearize(const JointedBodies& scene);
+  /// Takes up the impulses of the substep before.
+  void begin_substep(const JointedBodies& scene);
+  /// Applies this share of them.
+  void add_share(const JointedBodies& scene, real share);
+  /// One sweep, from the first pin to the last or back.
+  void sweep(const Softness& give, std::vector<Motion>& motions);
+  void sweep_back(const Softness& give, std::vector<Motion>& motions);
+  /// Tells the joints what has been given since the last time, before directions change.
+  void book(const JointedBodies& scene);
+  /// Hands the impulses back to the joints.
+  void store(const JointedBodies& scene) const;
+  /// What moving kinematic bodies have put in since the last call, J.
+  double take_work(const JointedBodies& scene);
+
+ private:
+  /// What every sweep goes through: as little as it can be, for there may be tens of thousands of them.
+  struct Pin {
+    BodyIndex body_a = 0;
+    BodyIndex body_b = 0;
+    Vec2 arm_a;
+    Vec2 arm_b;
+    real mass_x = 0;   ///< impulse along x per speed along x ...
+    real mass_xy = 0;  ///< ... or along y
+    real mass_y = 0;
+    Vec2 gap;
+    Vec2 given;  ///< impulse of this substep so far
+  };
+  struct Source {
+    std::uint32_t joint = 0;
+    std::uint32_t slot = 0;
+    Vec2 warm;    ///< impulse of the substep before
+    Vec2 booked;  ///< the part of the impulse that the joint knows of
+    Vec2 total;   ///< impulse since work was last taken
+  };
+
+  static void push(const Pin& pin, Vec2 impulse, std::vector<Motion>& motions);
+  static void solve(Pin& pin, const Softness& give, std::vector<Motion>& motions);
+
+  std::vector<Pin> pins_;
+  std::vector<Source> sources_;  ///< parallel to pins_
+};
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel
