@@ -116,6 +116,7 @@ class Planner {
     study_.scenario = scenario_->id;
     study_.title = scenario_->title;
     study_.duration_s = scenario_->duration;
+    study_.set = request_.set;
     study_.measures = chosen_measures(*scenario_, request_.measures);
     for (const Axis& axis : axes_) study_.keys.push_back(axis.key);
     add_own_methods();

@@ -72,6 +72,7 @@ struct Study {
   std::string scenario;  ///< its id
   std::string title;     ///< the scenario's
   double duration_s = 0;
+  std::vector<Override> set;      ///< what is replaced in all runs
   std::vector<std::string> keys;  ///< of scenario{}, which vary
   std::string refined;            ///< the one of them that orders a method's runs: rate or substeps; empty for none
   std::vector<StudiedMeasure> measures;  ///< the first one is drawn

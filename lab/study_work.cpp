@@ -95,13 +95,19 @@ class Worker {
   }
 
  private:
-  /// Of the finest run of the first method that comes to its end.
+  /// Of the scene as its file steps it, so that a study which is extended keeps its scale; where that comes to no end,
+  /// of the finest run of the first method that does.
   void find_energy_scale() {
     phase_("energy scale");
+    StudyRun own = study_.runs.front();
+    own.set = study_.set;
+    std::vector<StudyRun> candidates{own};
     for (std::size_t method = 0; method < study_.methods.size(); ++method) {
-      const StudyRun& finest = study_.runs[runs_of(study_, method).second - 1];
+      candidates.push_back(study_.runs[runs_of(study_, method).second - 1]);
+    }
+    for (const StudyRun& run : candidates) {
       const Trace trace = traced(
-                              study_, {finest}, work_, work_.limit_s, [](std::int64_t, std::int64_t) {}, keep_nothing)
+                              study_, {run}, work_, work_.limit_s, [](std::int64_t, std::int64_t) {}, keep_nothing)
                               .front();
       if (trace.status != RunStatus::ended || !(trace.largest_kinetic_j > 0)) continue;
       energy_scale_j_ = trace.largest_kinetic_j;

@@ -95,5 +95,25 @@ TEST_CASE("A bouncing ball is exact where impacts are located, and a staircase w
   }
 }
 
+TEST_CASE("Single precision has a floor, from which smaller steps lead up again", "[study_orders]") {
+  const auto floor_in = [](const char* precision) {
+    StudyRequest request{
+        "scenarios/reference/pendulum_by_angle.lua", {{"substeps", "1"}, {"precision", precision}}, {}, {}, {"angle"}};
+    request.axes = parse_axes({"integrator=verlet", "rate=60,240,960,3840,15360,61440"});
+    const Study study = plan_study(request);
+    std::vector<std::optional<double>> errors;
+    for (const StudyRun& run : study.runs) {
+      const Trace trace = trace_of(study, run, 60);
+      errors.push_back(error_of(trace.values[0], trace.expected[0]));
+    }
+    return error_floor(errors);
+  };
+  REQUIRE_FALSE(floor_in("double"));
+  const auto floor = floor_in("single");
+  REQUIRE(floor);
+  REQUIRE(*floor > 1e-8);
+  REQUIRE(*floor < 1e-3);
+}
+
 }  // namespace
 }  // namespace proofreel
