@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -78,14 +79,19 @@ int draw_map(const Options& options) {
   return 0;
 }
 
+/// Said before anything is planned, since that takes its time too.
+void refuse_too_many(const Options& options, const std::vector<Axis>& axes) {
+  std::size_t runs = 1;
+  for (const Axis& axis : axes) runs *= axis.values.size();
+  if (runs <= most_runs_unasked || options.yes) return;
+  throw UsageError("That makes " + std::to_string(runs) + " runs, more than " + std::to_string(most_runs_unasked) +
+                   ": name fewer values, or say --yes.");
+}
+
 Study planned(const Options& options, const std::vector<Axis>& axes) {
-  const Study study = plan_study({scenario_file(options.scenario), options.grid.common.overrides(), axes,
-                                  peers_meant(options.against), options.measures});
-  if (study.runs.size() > most_runs_unasked && !options.yes) {
-    throw UsageError("That makes " + std::to_string(study.runs.size()) + " runs, more than " +
-                     std::to_string(most_runs_unasked) + ": name fewer values, or say --yes.");
-  }
-  return study;
+  refuse_too_many(options, axes);
+  return plan_study({scenario_file(options.scenario), options.grid.common.overrides(), axes,
+                     peers_meant(options.against), options.measures});
 }
 
 StudyWork work_with(const Options& options) {
@@ -242,7 +248,8 @@ int plan_target(const Options& options) {
   std::printf("%-24s %9s %12s %12s %12s\n", "method", "rate", "CPU ms/s", "error", "next rate's");
   for (const PlannedMethod& plan : plans) print(plan);
   for (const std::string& sentence : study.left_out) std::printf("left out: %s\n", sentence.c_str());
-  if (reached) std::printf("\nFor scenario{}:  %s\n", plans.front().line.c_str());
+  const auto ours = std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return !plan.line.empty(); });
+  if (ours != plans.end()) std::printf("\nFor scenario{}:  %s\n", ours->line.c_str());
   return reached ? 0 : 1;
 }
 

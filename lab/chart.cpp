@@ -226,7 +226,7 @@ class Layout {
       add(SymbolMark{pixel(point.at), look.symbol, radius_px, fill, outline, point.words});
     }
     for (const ChartPoint& failure : curve.failures) {
-      const double x = x_.holds(failure.at.x) ? x_.at(failure.at.x) : x_.first_px + 2 * radius_px;
+      const double x = x_.holds(failure.at.x) ? x_.at(failure.at.x) : x_.last_px - radius_px;
       add(SymbolMark{{x, y_.last_px + radius_px}, Symbol::cross, radius_px, look.color, look.color, failure.words});
     }
   }
@@ -235,7 +235,14 @@ class Layout {
     double y = y_.last_px + text_px;
     const double middle = legend_left_ + sample_px / 2;
     const double words = legend_left_ + sample_px + 18;
-    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+    constexpr double key_px = 5 * 1.6 * small_px;
+    const double room = drawing_.height_px - margin - y_.last_px - key_px;
+    const double roomy = 1.75 * text_px + 1.3 * small_px;
+    const double tight = 1.2 * text_px;
+    const auto count = chart_.curves.size();
+    const bool has_notes = static_cast<double>(count) * roomy <= room;
+    const std::size_t shown = std::min(count, static_cast<std::size_t>(std::max(1.0, room / tight)));
+    for (std::size_t i = 0; i < shown; ++i) {
       const CurveLook look = look_of_curve(i);
       const double line = y - 0.36 * text_px;
       add(LineMark{{{legend_left_ + 4, line}, {legend_left_ + sample_px - 4, line}},
@@ -245,13 +252,19 @@ class Layout {
       if (chart_.curves[i].marked)
         add(SymbolMark{{middle, line}, look.symbol, radius_px, look.color, mixed(look.color, ink, 0.6), ""});
       add_text(chart_.curves[i].name, {words, y}, text_px, Align::left, ink);
+      if (!has_notes) {
+        y += tight;
+        continue;
+      }
       if (!chart_.curves[i].note.empty()) {
         y += 1.3 * small_px;
         add_text(chart_.curves[i].note, {words, y}, small_px, Align::left, quiet);
       }
       y += 1.75 * text_px;
     }
-    add_key(y);
+    if (shown < count)
+      add_text("and " + std::to_string(count - shown) + " more", {words, y}, small_px, Align::left, quiet);
+    add_key(y + (shown < count ? tight : 0));
   }
 
   /// What bands, pale symbols, crosses and dashes mean, where there are any.

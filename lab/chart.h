@@ -29,7 +29,7 @@ struct ChartCurve {
   std::string note;  ///< a second, quieter line in the legend
   std::vector<ChartPoint> points;
   bool marked = true;                ///< with a symbol at each point
-  std::vector<ChartPoint> failures;  ///< crosses at the upper edge, at their x; without one, at the left end
+  std::vector<ChartPoint> failures;  ///< crosses at the upper edge, at their x; without one, at the right end
   std::optional<double> floor;       ///< a dashed line at this y
 };
 

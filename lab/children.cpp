@@ -14,11 +14,14 @@ struct Running {
   Child child;
 };
 
-/// Waits for a while, and hands over what has ended; how many that were.
-std::int64_t finish_some(std::vector<Running>& running, const std::function<void(std::size_t, const ChildEnd&)>& keep) {
+/// Waits for a while, and hands over what has ended; how many that were. `look_up` may stop it all before anything that
+/// died of the same signal is taken for a result.
+std::int64_t finish_some(std::vector<Running>& running, const std::function<void(std::size_t, const ChildEnd&)>& keep,
+                         const std::function<void()>& look_up) {
   std::vector<pollfd> files;
   for (const Running& each : running) files.push_back({each.child.file(), POLLIN, 0});
   ::poll(files.data(), files.size(), pause_ms);
+  look_up();
   std::int64_t ended = 0;
   for (std::size_t i = files.size(); i-- > 0;) {
     if (files[i].revents == 0 || running[i].child.take()) continue;
@@ -36,12 +39,15 @@ void work_off_children(std::size_t count, int at_once, const std::function<Child
   const auto total = static_cast<std::int64_t>(count);
   std::vector<Running> running;
   std::size_t next = 0;
-  for (std::int64_t done = 0; done < total; done += finish_some(running, keep)) {
+  std::int64_t done = 0;
+  const auto look_up = [&] { progress(done, total); };
+  while (done < total) {
     for (; next < count && running.size() < static_cast<std::size_t>(at_once); ++next) {
       const ChildWork work = work_of(next);
       running.push_back({next, Child(work.work, work.cpu_limit_s)});
     }
-    progress(done, total);
+    look_up();
+    done += finish_some(running, keep, look_up);
   }
   progress(total, total);
 }

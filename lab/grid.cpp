@@ -22,6 +22,8 @@ constexpr std::array<StandingNames, standing_count> standing_names{{{"stands", "
                                                                     {"not offered", "\u2013"}}};
 
 constexpr std::array method_keys{"rate", "substeps", "contact_solver", "joint_solver", "precision"};
+constexpr std::array integrator_names{"symplectic_euler",  "verlet",         "suzuki4", "rk4",
+                                      "implicit_midpoint", "gauss_legendre6"};
 constexpr std::array contact_solver_names{"auto", "soft_step", "sequential_impulses", "ngs", "exact", "event"};
 
 /// What decides how a run comes out, beside the texts it is made from.
@@ -74,6 +76,7 @@ std::optional<std::string> own_setting(const Scenario& scenario, const std::stri
   if (key == "rate") return std::to_string(scenario.scene.rate);
   if (key == "substeps") return std::to_string(method.substeps);
   if (key == "contact_solver") return contact_solver_names[static_cast<std::size_t>(method.contact_solver)];
+  if (key == "integrator") return integrator_names[static_cast<std::size_t>(method.integrator)];
   if (key == "joint_solver") return method.joint_solver == JointMethod::direct ? "direct" : "iterative";
   if (key == "precision") return method.precision == Precision::float64 ? "double" : "single";
   return std::nullopt;

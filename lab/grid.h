@@ -82,7 +82,8 @@ struct Grid {
 /// "proofreel", or the peer.
 std::string engine_of(const RunRequest& run);
 
-/// What scenario{} says of a key that methods vary (rate, substeps, contact_solver, joint_solver, precision), as
+/// What scenario{} says of a key that methods vary (rate, substeps, integrator, contact_solver, joint_solver,
+/// precision), as
 /// `--set` would have it; nothing for other keys.
 std::optional<std::string> own_setting(const Scenario& scenario, const std::string& key);
 

@@ -9,7 +9,8 @@
 
 namespace proofreel {
 
-/// "0.042", "0.42", "3.1", "250": two digits, or all that are before the point; no more than three behind it. Empty for nothing.
+/// "0.042", "0.42", "3.1", "250": two digits, or all that are before the point; no more than three behind it. Empty for
+/// nothing.
 std::string cost_text(std::optional<double> cost_ms);
 
 /// "soft_step, own, double"; parts that are empty are left out.

@@ -69,7 +69,9 @@ std::vector<StudiedMeasure> chosen_measures(const Scenario& scenario, const std:
     if (found == known.end())
       throw UsageError("--measure " + name + ": " + scenario.path + " has no such measure; " +
                        did_you_mean(name, known) + ".");
-    chosen.push_back(all[static_cast<std::size_t>(found - known.begin())]);
+    const StudiedMeasure& measure = all[static_cast<std::size_t>(found - known.begin())];
+    const auto is_same = [&](const StudiedMeasure& other) { return other.index == measure.index; };
+    if (std::none_of(chosen.begin(), chosen.end(), is_same)) chosen.push_back(measure);
   }
   return chosen;
 }
@@ -99,13 +101,22 @@ std::string part_of_name(const Axis& axis, const std::string& value) {
   return is_number ? axis.key + " " + value : value;
 }
 
+/// Another scene is another problem, whose error says nothing beside this one's.
+void refuse_scene_key(const Axis& axis) {
+  const std::string key = full_key(axis);
+  if (key == "rate" || key.starts_with("method.")) return;
+  throw UsageError("--vary " + axis.key +
+                   ": a study compares methods on one scene, so that only the rate and the keys of " +
+                   "method may vary; set others with --set (maps take any key: --map).");
+}
+
 class Planner {
  public:
   explicit Planner(const StudyRequest& request)
       : request_(request), axes_(request.axes.empty() ? default_axes() : request.axes) {
     scenario_ = load_scenario(request.file, request.set);
     for (const Axis& axis : axes_) {
-      full_key(axis);
+      refuse_scene_key(axis);
       check_axis(request.file, axis, request.set);
     }
     refine_last();
@@ -121,6 +132,7 @@ class Planner {
     for (const Axis& axis : axes_) study_.keys.push_back(axis.key);
     add_own_methods();
     for (const Peer peer : request_.peers) add_peer(peer);
+    rates_.insert(scenario_->picture.fps);  // references that are functions speak of the times of frames
     study_.samples_per_s = common_samples(rates_, study_.duration_s);
     for (StudyRun& run : study_.runs) run.key = key_of(run);
     if (study_.methods.empty()) throw UsageError("Nothing is left to be run: " + study_.left_out.front());

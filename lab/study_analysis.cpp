@@ -109,7 +109,9 @@ std::optional<double> error_floor(const std::vector<std::optional<double>>& erro
     most = std::max(most, *errors[i]);
   }
   if (!best || *best == 0 || *errors[*best] > has_fallen * most) return std::nullopt;
-  if (*best + 1 < errors.size()) return *errors[*best];
+  const auto later = errors.begin() + static_cast<std::ptrdiff_t>(*best) + 1;
+  if (std::any_of(later, errors.end(), usable)) return *errors[*best];
+  if (later != errors.end()) return std::nullopt;  // nobody knows what smaller steps would have done
   const std::optional<double>& before = errors[*best - 1];
   return usable(before) && *errors[*best] > still_falls * *before ? errors[*best] : std::nullopt;
 }
@@ -131,7 +133,7 @@ std::vector<double> worthwhile_targets(const std::vector<StudyResult>& results) 
   double least = INFINITY;
   double most = 0;
   for (const std::optional<double>& error : first_errors(results)) {
-    if (!usable(error)) continue;
+    if (!error || !std::isfinite(*error)) continue;
     least = std::min(least, *error);
     most = std::max(most, *error);
   }

@@ -20,10 +20,16 @@ constexpr std::array<const char*, work_axis_count> work_labels{
     "CPU time per simulated second (ms)", "updates of constraint rows and body forces per simulated second",
     "instructions per simulated second"};
 
+std::string reference_words(const StudiedMeasure& measure) {
+  if (measure.has_reference) return "Reference: the scenario\u2019s own, for \u201C" + measure.name + "\u201D.";
+  return "No reference is known for \u201C" + measure.name + "\u201D: each method is compared with itself at a step " +
+         std::to_string(finer_steps) + " times smaller than its smallest here, which shows consistency and not truth.";
+}
+
 std::string fairness_note(const Study& study) {
   std::string note = "Error: max |q \u2212 reference| over " + std::to_string(study.samples_per_s) +
                      " samples a second and the end, over the largest |reference|. ";
-  return note + reference_words(study);
+  return note + reference_words(study.measures.front());
 }
 
 /// The results of one method's runs, as lists.
@@ -62,7 +68,8 @@ ChartCurve curve_of(const Study& study, const std::vector<StudyResult>& results,
   for (std::size_t k = 0; k < data.errors.size(); ++k) {
     const std::size_t i = data.first + k;
     const std::string words = words_of(study, study.runs[i], results[i]);
-    const Vec2d at{data.work[k].value_or(0), data.errors[k].value_or(0)};
+    constexpr double exact_run = 1e-17;  // what differs in no bit has a place on a logarithmic axis, too
+    const Vec2d at{data.work[k].value_or(0), std::max(exact_run, data.errors[k].value_or(0))};
     const bool has_ended = results[i].status == RunStatus::ended && data.errors[k] && std::isfinite(*data.errors[k]);
     if (!has_ended) curve.failures.push_back({at, words});
     if (has_ended && data.work[k]) curve.points.push_back({at, words, !front[i]});
@@ -112,10 +119,11 @@ constexpr const char* equal_cost_note =
 }  // namespace
 
 std::string reference_words(const Study& study) {
-  const StudiedMeasure& measure = study.measures.front();
-  if (measure.has_reference) return "Reference: the scenario\u2019s own, for \u201C" + measure.name + "\u201D.";
-  return "No reference is known for \u201C" + measure.name + "\u201D: each method is compared with itself at a step " +
-         std::to_string(finer_steps) + " times smaller than its smallest here, which shows consistency and not truth.";
+  std::string words;
+  for (const StudiedMeasure& measure : study.measures) {
+    words.append(words.empty() ? "" : " ").append(reference_words(measure));
+  }
+  return words;
 }
 
 std::string words_of(const Study& study, const StudyRun& run, const StudyResult& r) {
@@ -185,10 +193,11 @@ std::vector<std::size_t> runs_of_equal_cost(const Study& study, const std::vecto
 Chart error_chart(const Study& study, const std::vector<std::size_t>& runs, const std::vector<Trace>& traces) {
   Chart chart;
   chart.title = study.title + ": error over time";
-  chart.notes = {equal_cost_note, reference_words(study)};
+  chart.notes = {equal_cost_note, reference_words(study.measures.front())};
   chart.x = {"time (s)", false};
   chart.y = {"error of " + study.measures.front().name, true};
   add_curves(chart, study, runs, traces, [](const Trace& trace) {
+    if (trace.values.empty()) return std::vector<Vec2d>();
     std::vector<double> errors;
     for (const auto& error : errors_of(trace.values[0], trace.expected[0])) errors.push_back(error.value_or(NAN));
     return zipped(trace.times_s, errors);
@@ -208,7 +217,8 @@ Chart energy_chart(const Study& study, const std::vector<std::size_t>& runs, con
   chart.y = {"|energy drift|", true};
   add_curves(chart, study, runs, traces, [&](const Trace& trace) {
     std::vector<double> drifts;
-    for (const double joules : trace.energy_drift_j) drifts.push_back(std::abs(joules) / energy_scale_j);
+    for (const double joules : trace.energy_drift_j)
+      drifts.push_back(energy_scale_j > 0 ? std::abs(joules) / energy_scale_j : 0);
     return zipped(trace.times_s, drifts);
   });
   return chart;
@@ -222,7 +232,9 @@ std::optional<Chart> phase_chart(const Study& study, const std::vector<std::size
   chart.notes = {equal_cost_note};
   chart.x = {study.measures[0].name, false};
   chart.y = {study.measures[1].name, false};
-  add_curves(chart, study, runs, traces, [](const Trace& trace) { return zipped(trace.values[0], trace.values[1]); });
+  add_curves(chart, study, runs, traces, [](const Trace& trace) {
+    return trace.values.empty() ? std::vector<Vec2d>() : zipped(trace.values[0], trace.values[1]);
+  });
   return chart;
 }
 

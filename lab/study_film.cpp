@@ -177,6 +177,6 @@ void film_study(const Study& study, const std::vector<std::size_t>& runs, const 
   sink.finish();
 }
 
-int fps_of(const Study& study) { return load_scenario(study.file, {})->picture.fps; }
+int fps_of(const Study& study) { return load_scenario(study.file, study.set)->picture.fps; }
 
 }  // namespace proofreel

@@ -117,10 +117,14 @@ std::string rules(const Study& study, double energy_scale_j) {
       "|reference| (at least 0.001). Samples are taken " +
           std::to_string(study.samples_per_s) + " times a second and at the end, at the same times in every run.",
       reference_words(study),
-      "The energy error is the largest deviation from the initial energy and the work done on the scene, divided by " +
-          with("%.4g", energy_scale_j) + " J, the largest kinetic energy in the scene.",
+      energy_scale_j > 0
+          ? "The energy error is the largest deviation from the initial energy and the work done on the "
+            "scene, divided by " +
+                with("%.4g", energy_scale_j) + " J, the largest kinetic energy in the scene as its file steps it."
+          : std::string("Nothing moves in the scene: there is no scale for errors of the energy."),
       "One scene for all; nothing in it is tuned for a method.",
-      "CPU time is that of the steps alone, the least of two to five runs in processes of their own, while nothing "
+      "CPU time is that of the steps alone, the least of two to five runs (of one, where that is long) in processes of "
+      "their own, while nothing "
       "else "
       "of this study runs. Nothing is drawn meanwhile. The share of finding contacts is told apart from solving them.",
       "Updates count every solve of a constraint row and every evaluation of the forces on a body; they are exact and "
@@ -159,7 +163,12 @@ std::string page_of(const Study& study, const StudyOutcome& outcome, const std::
   std::string body;
   const std::string verdict = verdict_of(study, outcome.results);
   body +=
-      tag("p", html_escaped(verdict.empty() ? "No run has an error to compare." : verdict), "class=\"verdict\"") + "\n";
+      tag("p",
+          html_escaped(verdict.empty()
+                           ? "No run has an error to compare: none differs from its reference, or none came to its end."
+                           : verdict),
+          "class=\"verdict\"") +
+      "\n";
   body += figures_of(figures) + prices(study, outcome.results) + run_table(study, outcome.results);
   if (!study.left_out.empty()) body += tag("h2", "Left out") + "\n" + list_of(study.left_out);
   body += rules(study, outcome.energy_scale_j) + origin(facts);

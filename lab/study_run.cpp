@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 #include <span>
 
 #include "engine/archive.h"
@@ -58,6 +58,12 @@ class Tracer {
     trace_.values.resize(study.measures.size());
     trace_.expected.resize(study.measures.size());
     initial_j_ = stage.simulation().energy().total();
+    for (const StudiedMeasure& measure : study.measures) {
+      const Measure& known = stage.scenario().measures[static_cast<std::size_t>(measure.index)];
+      for (const double seconds : known.reference_times) {
+        spoken_of_.insert(tick_at(seconds, stage.scenario().scene.rate));
+      }
+    }
   }
 
   Trace run(double limit_s) {
@@ -75,7 +81,8 @@ class Tracer {
       stage_.script().after_step();
       trace_.simulated_s = static_cast<double>(tick) / rate;
       if (simulation.failure()) return stop(RunStatus::failed, simulation.failure()->what);
-      if (is_sampled(tick, rate) || tick == last) sample(tick);
+      if (is_sampled(tick, rate) || spoken_of_.contains(tick) || (tick == last && ends_in_time(tick, rate)))
+        sample(tick);
       if (tick % 64 == 0 && thread_cpu_s() - start > limit_s) return stop(RunStatus::too_slow, "stopped at its limit");
     }
     trace_.status = RunStatus::ended;
@@ -88,6 +95,10 @@ class Tracer {
   }
 
  private:
+  /// At rates whose ticks miss the end the last tick lies at a time of its own, which no other run shares.
+  bool ends_in_time(std::int64_t tick, int rate) const {
+    return std::abs(static_cast<double>(tick) / rate - study_.duration_s) < 1e-9;
+  }
   bool is_sampled(std::int64_t tick, int rate) const { return tick * study_.samples_per_s % rate == 0; }
 
   void sample(std::int64_t tick) {
@@ -121,6 +132,7 @@ class Tracer {
   Stage& stage_;
   Trace trace_;
   double initial_j_ = 0;
+  std::set<std::int64_t> spoken_of_;  ///< ticks that references name
 };
 
 Trace without_samples(RunStatus status, const std::string& why) {
@@ -128,6 +140,17 @@ Trace without_samples(RunStatus status, const std::string& why) {
   trace.status = status;
   trace.why = why;
   return trace;
+}
+
+/// What it costs to read the watch twice, s.
+double cost_of_watch() {
+  constexpr int times = 2000;
+  double sum = 0;
+  for (int i = 0; i < times; ++i) {
+    const double start = thread_cpu_s();
+    sum += thread_cpu_s() - start;
+  }
+  return sum / times;
 }
 
 /// CPU time of all steps of one run. Where no script acts on the way, the watch is read once in a sample's time.
@@ -140,12 +163,13 @@ double timed_once(const Study& study, const StudyRun& run) {
     while (simulation.tick() < last && !simulation.failure()) simulation.step();
     return thread_cpu_s() - start;
   }
+  const double watch_s = cost_of_watch();
   double sum = 0;
   while (simulation.tick() < last && !simulation.failure()) {
     stage.script().before_step();
     const double start = thread_cpu_s();
     simulation.step();
-    sum += thread_cpu_s() - start;
+    sum += std::max(0.0, thread_cpu_s() - start - watch_s);
     stage.script().after_step();
   }
   return sum;

@@ -105,10 +105,14 @@ StudyTable::StudyTable(std::string path, const Study& study) : path_(std::move(p
   if (!records.empty() && records.front() != header) {
     throw UsageError(path_ + " holds a table of other columns: name another folder with -o, or remove it.");
   }
+  std::unordered_map<std::string, std::size_t> lines_of;
   for (const CsvRecord& record : records) {
     std::optional<StoredLine> line = line_in(record, study.keys.size());
     if (!line) continue;
+    if (record[0] != study.scenario)
+      throw UsageError(path_ + " holds a study of " + record[0] + ": name another folder with -o, or remove it.");
     whole += csv_line(record);
+    ++lines_of[line->key];
     StudyResult& known = known_[line->key];
     std::vector<std::optional<double>> errors = std::move(known.errors);
     errors.resize(study.measures.size());
@@ -117,6 +121,10 @@ StudyTable::StudyTable(std::string path, const Study& study) : path_(std::move(p
       if (study.measures[i].name == line->measure) errors[i] = line->error;
     }
     known.errors = std::move(errors);
+  }
+  // A run is known by all of its lines: one per measure, every time it was written down.
+  for (const auto& [key, lines] : lines_of) {
+    if (lines % study.measures.size() != 0) known_.erase(key);
   }
   write_file(path_, whole);
 }

@@ -53,22 +53,39 @@ FinerTraces finer_traces(const Study& study, const std::set<std::size_t>& method
                          const WorkProgress& progress) {
   FinerTraces finer;
   if (!compares_with_itself(study)) return finer;
-  const std::vector<std::size_t> list(methods.begin(), methods.end());
+  std::vector<std::size_t> list;
   std::vector<StudyRun> runs;
-  for (const std::size_t method : list) runs.push_back(finer_run(study, method));
+  for (const std::size_t method : methods) {
+    try {
+      runs.push_back(finer_run(study, method));
+      list.push_back(method);
+    } catch (const ScenarioError& error) {
+      Trace& none = finer[method];
+      none.status = RunStatus::not_offered;
+      none.why = error.what();
+    }
+  }
   // The finest run within its limit may need a reference that takes `finer_steps` times as long.
   std::vector<Trace> traces = traced(study, runs, work, finer_steps * work.limit_s, progress, keep_nothing);
   for (std::size_t i = 0; i < list.size(); ++i) finer.emplace(list[i], std::move(traces[i]));
   return finer;
 }
 
+/// Times of samples that differ by roundings only.
+constexpr double same_time_s = 1e-9;
+
 /// What the finer run measured is what measures without a reference should be.
 void expect_finer(const Study& study, Trace& trace, const Trace& finer) {
-  if (finer.status != RunStatus::ended) return;
+  if (finer.status != RunStatus::ended) {
+    trace.why = std::string("the finer run it is to be compared with: ") + name_of(finer.status) + ", " + finer.why;
+    return;
+  }
   for (std::size_t i = 0; i < study.measures.size(); ++i) {
     if (study.measures[i].has_reference) continue;
-    for (std::size_t k = 0; k < trace.expected[i].size() && k < finer.values[i].size(); ++k) {
-      trace.expected[i][k] = finer.values[i][k];
+    for (std::size_t k = 0, f = 0; k < trace.times_s.size(); ++k) {
+      while (f < finer.times_s.size() && finer.times_s[f] < trace.times_s[k] - same_time_s) ++f;
+      const bool is_same = f < finer.times_s.size() && finer.times_s[f] < trace.times_s[k] + same_time_s;
+      if (is_same) trace.expected[i][k] = finer.values[i][f];
     }
   }
 }
@@ -156,7 +173,7 @@ class Worker {
     }
     double drift = 0;
     for (const double joules : trace.energy_drift_j) drift = std::max(drift, std::abs(joules));
-    result.energy_error = drift / energy_scale_j_;
+    if (energy_scale_j_ > 0) result.energy_error = drift / energy_scale_j_;
     result.row_updates = trace.row_updates;
     result.evaluations = trace.evaluations;
     if (trace.knows_collision) result.collision_share = trace.collision_share;
@@ -221,7 +238,7 @@ class Worker {
   const std::function<void(const char*)>& phase_;
   const WorkProgress& progress_;
   StudyTable table_;
-  double energy_scale_j_ = 1;
+  double energy_scale_j_ = 0;
 };
 
 }  // namespace

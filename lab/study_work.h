@@ -21,7 +21,7 @@ struct StudyWork {
 
 struct StudyOutcome {
   std::vector<StudyResult> results;  ///< of Study::runs
-  double energy_scale_j = 1;         ///< what energy errors are divided by: the largest kinetic energy of the scene
+  double energy_scale_j = 0;         ///< what energy errors are divided by: the largest kinetic energy of the scene
 };
 
 /// Every run that ends is written down at once, so that whoever stops this and starts it again goes on where it was.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "lab/csv.h"
 #include "lab/grid.h"
@@ -30,19 +31,26 @@ std::string lua_value(const std::string& value) {
   return bare ? value : "\"" + value + "\"";
 }
 
-std::string line_of(const StudiedMethod& method, int rate) {
+/// What scenario{} has to say for the same steps: the whole method as the run has it, since a pasted `method` replaces
+/// the scenario's own. Empty for peers.
+std::string line_of(const Study& study, const StudiedMethod& method, int rate) {
+  if (method.peer) return {};
   constexpr std::string_view in_method = "method.";
-  std::string inside;
-  std::string beside;
-  for (const Override& each : method.set) {
-    const std::string key = full_key({each.key, {each.value}});
-    const bool is_inside = key.starts_with(in_method);
-    const std::string name = is_inside ? key.substr(in_method.size()) : key;
-    std::string& list = is_inside ? inside : beside;
-    if (is_inside && !list.empty()) list += ", ";
-    list += name + " = " + lua_value(each.value) + (is_inside ? "" : ", ");
+  std::map<std::string, std::string> inside;
+  const std::unique_ptr<Scenario> scenario = load_scenario(study.file, overlaid(study.set, method.set));
+  Scenario plain;
+  for (const char* key : {"substeps", "contact_solver", "joint_solver", "precision"}) {
+    const std::string own = *own_setting(*scenario, key);
+    if (own != *own_setting(plain, key)) inside[key] = own;
   }
-  return (inside.empty() ? "" : "method = { " + inside + " }, ") + beside + "rate = " + std::to_string(rate);
+  inside["integrator"] = *own_setting(*scenario, "integrator");
+  for (const Override& each : overlaid(study.set, method.set)) {
+    const std::string key = full_key({each.key, {each.value}});
+    if (key.starts_with(in_method)) inside[key.substr(in_method.size())] = each.value;
+  }
+  std::string list;
+  for (const auto& [key, value] : inside) list += (list.empty() ? "" : ", ") + key + " = " + lua_value(value);
+  return "method = { " + list + " }, rate = " + std::to_string(rate);
 }
 
 /// What the search of one method finds, through a pipe: rate, error, error below; or nothing.
@@ -69,7 +77,7 @@ std::string found(const Study& study, std::size_t method, double target, double 
   return csv_line({std::to_string(high * rate_grain), exact(*high_error), low_error ? exact(*low_error) : ""});
 }
 
-PlannedMethod planned(const StudiedMethod& method, const ChildEnd& end) {
+PlannedMethod planned(const Study& study, const StudiedMethod& method, const ChildEnd& end) {
   PlannedMethod plan;
   plan.name = method.name;
   if (!end.died_of.empty() || end.out_of_time) {
@@ -77,14 +85,15 @@ PlannedMethod planned(const StudiedMethod& method, const ChildEnd& end) {
     return plan;
   }
   if (end.answer.empty()) {
-    plan.why_not = "does not reach it at up to " + std::to_string(highest_rate) + " steps per second";
+    plan.why_not =
+        "at none of the rates up to " + std::to_string(highest_rate) + " does it come to its end in time and reach it";
     return plan;
   }
   const CsvRecord record = csv_records(end.answer).at(0);
   plan.rate = static_cast<int>(number_in(record[0]).value());
   plan.error = number_in(record[1]).value();
   plan.error_below = number_in(record[2]);
-  plan.line = line_of(method, *plan.rate);
+  plan.line = line_of(study, method, *plan.rate);
   return plan;
 }
 
@@ -120,7 +129,7 @@ std::vector<PlannedMethod> plan_for(const Study& study, double target, const Stu
   const auto search = [&](std::size_t i) {
     return ChildWork{[&, i] { return found(study, i, target, work.limit_s); }, runs_of_search * work.limit_s};
   };
-  const auto keep = [&](std::size_t i, const ChildEnd& end) { plans[i] = planned(study.methods[i], end); };
+  const auto keep = [&](std::size_t i, const ChildEnd& end) { plans[i] = planned(study, study.methods[i], end); };
   work_off_children(plans.size(), work.at_once, search, keep, progress);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (!plans[i].rate) continue;

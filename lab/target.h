@@ -23,7 +23,7 @@ struct PlannedMethod {
   double error = 0;                   ///< at that rate
   std::optional<double> error_below;  ///< at the next lower rate; nothing when that is none
   std::optional<double> cost_ms;      ///< CPU time per simulated second
-  std::string line;                   ///< for scenario{}: `method = { integrator = "rk4" }, rate = 120`
+  std::string line;                   ///< for scenario{}: `method = { ... }, rate = 120`; empty for peers
   std::string why_not;                ///< it has no rate; a sentence
 };
 

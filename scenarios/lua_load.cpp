@@ -99,6 +99,7 @@ void LuaScript::link_references() {
       throw Problem("reference " + quote(name) + ": there is no such measure, " + did_you_mean(name, names));
     }
     found->has_reference = true;
+    for (const auto& [seconds, value] : model_.references[r].points) found->reference_times.push_back(seconds);
     reference_of_[static_cast<std::size_t>(found - measures.begin())] = static_cast<int>(r);
   }
 }

@@ -124,6 +124,7 @@ struct Expectation {
 struct Measure {
   std::string name;
   bool has_reference = false;
+  std::vector<double> reference_times = {};  ///< s; the only ones the reference speaks of, empty where it knows all
 };
 
 /// Which of a script's functions: measures count with their references, force fields are one.
