@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
 
-std::string with(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// -0.0 would puzzle.
-std::string bias_text(double value) { return with("%+.2f", std::abs(value) < 0.005 ? 0 : value); }
+std::string bias_text(double value) { return formatted("%+.2f", std::abs(value) < 0.005 ? 0 : value); }
 
 std::string verdict_of(const DifferenceCounts& counts, const std::string& broken) {
   if (!counts.same_size) return "size";
@@ -25,8 +20,9 @@ std::string verdict_of(const DifferenceCounts& counts, const std::string& broken
 std::string share_text(const DifferenceCounts& counts) {
   std::string text = std::to_string(counts.different) + " of " + std::to_string(counts.total) + " pixels differ";
   if (counts.different > 0) {
-    text +=
-        " (" + with("%.3g", 100.0 * static_cast<double>(counts.different) / static_cast<double>(counts.total)) + " %)";
+    text += " (" +
+            formatted("%.3g", 100.0 * static_cast<double>(counts.different) / static_cast<double>(counts.total)) +
+            " %)";
   }
   if (counts.antialiased > 0) text += ", " + std::to_string(counts.antialiased) + " only by anti-aliasing";
   if (counts.shifted > 0) text += ", " + std::to_string(counts.shifted) + " are only shifted";

@@ -4,27 +4,23 @@
 
 #include <cstdio>
 
+#include "scenarios/formatted.h"
+
 namespace proofreel {
 namespace {
 
 constexpr auto pause_between_updates = std::chrono::milliseconds(100);
 constexpr const char* wipe_line = "\r\033[K";
 
-std::string with(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// In the unit that needs no more than three digits.
 std::string duration_text(double seconds) {
-  if (seconds < 100) return with("%.0f s", seconds);
-  return seconds < 6000 ? with("%.0f min", seconds / 60) : with("%.1f h", seconds / 3600);
+  if (seconds < 100) return formatted("%.0f s", seconds);
+  return seconds < 6000 ? formatted("%.0f min", seconds / 60) : formatted("%.1f h", seconds / 3600);
 }
 
 /// ", 120 per second, 3 s left"; what takes longer than a second is told by its duration.
 std::string pace_text(double each_s, std::int64_t left) {
-  const std::string pace = each_s < 1 ? with("%.0f per second", 1 / each_s) : with("%.1f s each", each_s);
+  const std::string pace = each_s < 1 ? formatted("%.0f per second", 1 / each_s) : formatted("%.1f s each", each_s);
   return ", " + pace + ", " + duration_text(each_s * static_cast<double>(left)) + " left";
 }
 

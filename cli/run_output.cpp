@@ -1,20 +1,15 @@
 #include "cli/run_output.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "golden/hex.h"
 #include "lab/csv.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
 
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", value);
-  return text.data();
-}
+std::string rounded(double value) { return formatted("%.9g", value); }
 
 std::string line_of(const MeasureResult& measure) {
   std::string text("  measure ");

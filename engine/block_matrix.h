@@ -76,6 +76,9 @@ class BlockMatrixOf {
     std::size_t list = 0;   ///< where in `equations_` the numbers of its rows begin
   };
 
+  /// Up to so many equations loops are so short that what surrounds them is the price.
+  static constexpr int most_few = 96;
+
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   const int* equations_of(const Panel& panel) const { return equations_.data() + panel.list; }
   void find_runs();
@@ -129,6 +132,18 @@ class BlockMatrixOf {
   std::vector<T>
       updates_;  ///< what is to be subtracted from one panel, by equation (few: as it stands); 0 between uses
 };
+
+/// Visits the rows of a column from `skip` rows below the upper edge of the block at `place` on, by runs of consecutive
+/// equations: visit(first equation, offset in the panel, count).
+template <typename T>
+template <typename Visit>
+void BlockMatrixOf<T>::for_each_run(int place, int skip, Visit&& visit) const {
+  const int end = start_[at(column_[at(place)]) + 1];
+  for (int p = place; p < end; p = run_end_[at(p)], skip = 0) {
+    const int row = first(row_[at(p)]) + skip;
+    visit(row, offset_[at(p)] + skip, first(row_[at(run_end_[at(p)] - 1)] + 1) - row);
+  }
+}
 
 /// Most are as precise as the engine; contacts of very unequal masses need all the digits there are.
 using BlockMatrix = BlockMatrixOf<real>;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <future>
@@ -12,6 +11,7 @@
 #include "golden/flat_rows.h"
 #include "golden/yiq.h"
 #include "render/usage_error.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
@@ -174,11 +174,7 @@ void check_mask(const Region& region, const Image& a) {
                    ": a mask has the size of the pictures.");
 }
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string rounded(double value) { return formatted("%.3g", value); }
 
 }  // namespace
 

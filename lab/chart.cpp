@@ -7,16 +7,13 @@
 
 #include "engine/aabb.h"
 #include "lab/chart_axes.h"
+#include "lab/print_colors.h"
 #include "render/draw_text.h"
 
 namespace proofreel {
 namespace {
 
-constexpr Color ink{0x1F, 0x2A, 0x36};
-constexpr Color quiet{0x59, 0x64, 0x70};
-constexpr Color paper{0xFF, 0xFF, 0xFF};
 constexpr Color grid{0xE4, 0xE7, 0xEA};
-constexpr Color edge{0xB9, 0xBF, 0xC6};
 constexpr Color band{0xF3, 0xDF, 0xA8};
 constexpr Color grey{0xC4, 0xC9, 0xCE};
 

@@ -11,6 +11,8 @@ std::string exact(double value) {
   return {text.data(), end};
 }
 
+std::string text_of(std::optional<double> value) { return value ? exact(*value) : std::string(); }
+
 std::optional<double> number_in(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -14,6 +14,8 @@ using CsvRecord = std::vector<std::string>;
 
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
+/// The same, or nothing.
+std::string text_of(std::optional<double> value);
 /// The number that is the whole text.
 std::optional<double> number_in(std::string_view text);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "golden/hex.h"
 #include "lab/measures.h"
@@ -10,6 +9,7 @@
 #include "render/canvas.h"
 #include "render/draw.h"
 #include "render/png.h"
+#include "scenarios/formatted.h"
 #include "scenarios/runner.h"
 
 namespace proofreel {
@@ -40,11 +40,7 @@ std::string without_path(const std::string& message, const std::string& path) {
   return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
 }
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g s", seconds);
-  return text;
-}
+std::string seconds_text(double seconds) { return formatted("%.4g s", seconds); }
 
 /// Throws ScenarioError or UnknownToPeer, both of which say what is not offered. What the script itself does wrong at
 /// the start is left in `error`, and there is no runner then.

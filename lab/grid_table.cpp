@@ -1,15 +1,6 @@
 #include "lab/grid_table.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "render/output_file.h"
-#include "render/usage_error.h"
-#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {
@@ -22,16 +13,9 @@ const CsvRecord& result_columns() {
   return columns;
 }
 
-std::string text_of(std::optional<double> number) { return number ? exact(*number) : std::string(); }
-
 std::string yes_or_no(std::optional<bool> value) {
   if (!value) return {};
   return *value ? "yes" : "no";
-}
-
-std::string text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -79,20 +63,15 @@ std::optional<StoredResult> result_in(const CsvRecord& record, std::size_t keys)
   return StoredResult{field(13), r};
 }
 
-GridTable::GridTable(std::string path, const Grid& grid) : path_(std::move(path)) {
-  const CsvRecord header = header_of(grid);
-  std::string whole = csv_line(header);
-  const std::vector<CsvRecord> records = csv_records(text_in(path_));
-  if (!records.empty() && records.front() != header) {
-    throw UsageError(path_ + " holds a table of other columns: name another folder with -o, or remove it.");
-  }
-  for (const CsvRecord& record : records) {
+GridTable::GridTable(const std::string& path, const Grid& grid) : file_(path, header_of(grid)) {
+  std::vector<CsvRecord> whole;
+  for (const CsvRecord& record : file_.found()) {
     std::optional<StoredResult> stored = result_in(record, grid.keys.size());
     if (!stored) continue;
-    whole += csv_line(record);
+    whole.push_back(record);
     known_[stored->key] = std::move(stored->result);
   }
-  write_file(path_, whole);
+  file_.rewrite(whole);
 }
 
 const RunResult* GridTable::find(const RunRequest& request, double limit_s) const {
@@ -100,23 +79,19 @@ const RunResult* GridTable::find(const RunRequest& request, double limit_s) cons
   if (found == known_.end()) return nullptr;
   const RunResult& result = found->second;
   if (result.standing == Standing::too_slow && result.cpu_s < limit_s) return nullptr;
-  const auto still = std::filesystem::path(path_).parent_path() / result.still;
+  const auto still = std::filesystem::path(file_.path()).parent_path() / result.still;
   return result.still.empty() || std::filesystem::exists(still) ? &result : nullptr;
 }
 
 void GridTable::add(const RunRequest& request, const RunResult& result) {
-  const std::string line = csv_line(record_of(request, result));
-  const int file = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const bool written = file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  if (file >= 0) ::close(file);
-  if (!written) throw EnvironmentError("Cannot write " + path_ + ": is the disk full?");
+  file_.append({record_of(request, result)});
   known_[request.key] = result;
 }
 
 void GridTable::rewrite(const Grid& grid, const std::vector<RunResult>& results) const {
-  std::string whole = csv_line(header_of(grid));
-  for (std::size_t i = 0; i < results.size(); ++i) whole += csv_line(record_of(grid.runs[i], results[i]));
-  write_file(path_, whole);
+  std::vector<CsvRecord> records;
+  for (std::size_t i = 0; i < results.size(); ++i) records.push_back(record_of(grid.runs[i], results[i]));
+  file_.rewrite(records);
 }
 
 }  // namespace proofreel

@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "lab/csv.h"
+#include "lab/csv_file.h"
 #include "lab/grid.h"
 
 namespace proofreel {
@@ -26,7 +26,7 @@ class GridTable {
  public:
   /// Reads what is there; a last line that was cut off is forgotten. Throws UsageError when the file holds something
   /// else, EnvironmentError when it cannot be written.
-  GridTable(std::string path, const Grid& grid);
+  GridTable(const std::string& path, const Grid& grid);
 
   /// What is known of a run. What was too slow within less than `limit_s` is not.
   const RunResult* find(const RunRequest& request, double limit_s) const;
@@ -36,7 +36,7 @@ class GridTable {
   void rewrite(const Grid& grid, const std::vector<RunResult>& results) const;
 
  private:
-  std::string path_;
+  CsvFile file_;
   std::unordered_map<std::string, RunResult> known_;
 };
 

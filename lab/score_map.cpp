@@ -5,17 +5,13 @@
 #include <cmath>
 #include <string>
 
+#include "lab/print_colors.h"
 #include "lab/score_text.h"
 #include "render/canvas.h"
 #include "render/draw_text.h"
 
 namespace proofreel {
 namespace {
-
-constexpr Color ink{0x1F, 0x2A, 0x36};
-constexpr Color quiet{0x59, 0x64, 0x70};
-constexpr Color paper{0xFF, 0xFF, 0xFF};
-constexpr Color edge{0xB9, 0xBF, 0xC6};
 
 /// How a standing looks. Lightness falls from what stands to what fails, so that a grey print tells them apart.
 struct Look {

@@ -1,11 +1,11 @@
 #include "lab/score_page.h"
 
 #include <array>
-#include <cstdio>
 
 #include "lab/csv.h"
 #include "lab/html.h"
 #include "lab/score_text.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
@@ -104,12 +104,6 @@ std::string legend(const Grid& grid) {
   return tag("ul", items, "class=\"legend\"") + "\n";
 }
 
-std::string number(double value, const char* format) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string score_row(const MethodScore& score) {
   const std::string engine = score.engine == score.heading.group ? "" : score.engine + ": ";
   std::string cells = tag("th", html_escaped(engine + name_of(score.heading)), "scope=\"row\"");
@@ -118,7 +112,7 @@ std::string score_row(const MethodScore& score) {
   for (int i = 1; i < standing_count; ++i) cells += tag("td", std::to_string(score.counts[i]));
   cells += tag("td", cost_text(score.cost_ms) + " (" + std::to_string(score.costed) + ")",
                attribute("data-sort", exact(score.cost_ms)));
-  cells += score.to_box2d ? tag("td", number(*score.to_box2d, "%.2f") + " (" + std::to_string(score.shared) + ")",
+  cells += score.to_box2d ? tag("td", formatted("%.2f", *score.to_box2d) + " (" + std::to_string(score.shared) + ")",
                                 attribute("data-sort", exact(*score.to_box2d)))
                           : tag("td", "", "data-sort=\"\"");
   return tag("tr", cells) + "\n";

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 #include "engine/state_hash.h"
 #include "golden/hex.h"
@@ -31,17 +30,6 @@ const std::vector<Axis>& default_axes() {
 constexpr double most_samples = 1000;
 
 bool is_key(const Axis& axis, const char* name) { return full_key(axis) == full_key({name, {"1"}}); }
-
-/// The largest number of samples per second that fall on ticks of every rate, and are not too many.
-int common_samples(const std::set<int>& rates, double duration) {
-  int common = 0;
-  for (const int rate : rates) common = std::gcd(common, rate);
-  int best = 1;
-  for (int divisor = 1; divisor <= common; ++divisor) {
-    if (common % divisor == 0 && divisor * duration <= most_samples) best = divisor;
-  }
-  return best;
-}
 
 std::vector<StudiedMeasure> all_measures(const Scenario& scenario) {
   std::vector<StudiedMeasure> measures;
@@ -132,8 +120,9 @@ class Planner {
     for (const Axis& axis : axes_) study_.keys.push_back(axis.key);
     add_own_methods();
     for (const Peer peer : request_.peers) add_peer(peer);
-    rates_.insert(scenario_->picture.fps);  // references that are functions speak of the times of frames
-    study_.samples_per_s = common_samples(rates_, study_.duration_s);
+    study_.fps = scenario_->picture.fps;
+    rates_.insert(study_.fps);
+    study_.samples_per_s = samples_for(rates_, study_.duration_s);
     for (StudyRun& run : study_.runs) run.key = key_of(run);
     if (study_.methods.empty()) throw UsageError("Nothing is left to be run: " + study_.left_out.front());
     return std::move(study_);
@@ -264,6 +253,16 @@ std::optional<RunStatus> run_status_named(std::string_view name) {
     if (name == status_names[i]) return static_cast<RunStatus>(i);
   }
   return std::nullopt;
+}
+
+int samples_for(const std::set<int>& rates, double duration_s) {
+  int common = 0;
+  for (const int rate : rates) common = std::gcd(common, rate);
+  int best = 1;
+  for (int divisor = 1; divisor <= common; ++divisor) {
+    if (common % divisor == 0 && divisor * duration_s <= most_samples) best = divisor;
+  }
+  return best;
 }
 
 Study plan_study(const StudyRequest& request) { return Planner(request).plan(); }

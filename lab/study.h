@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,7 @@ struct Study {
   std::vector<StudiedMethod> methods;
   std::vector<StudyRun> runs;         ///< method by method, from the largest step to the smallest
   std::vector<std::string> left_out;  ///< who cannot take part, and why; sentences
+  int fps = 60;                       ///< the scenario's: references that are functions speak of the times of frames
   int samples_per_s = 0;              ///< samples are taken at these times and at the end, in every run
 };
 
@@ -92,6 +94,9 @@ struct StudyRequest {
 
 /// Beyond this the user has to say that it is meant.
 inline constexpr std::size_t most_runs_unasked = 10'000;
+
+/// The largest number of samples per second that fall on ticks of all these rates, and are not too many for a run.
+int samples_for(const std::set<int>& rates, double duration_s);
 
 /// Throws UsageError for axes and measures the scenario does not have, and for a scenario that measures nothing;
 /// ScenarioError for one that cannot be loaded.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
+
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
@@ -42,16 +43,10 @@ double slope(const std::vector<double>& steps_s, const std::vector<std::optional
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-std::string with(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// A method beside the winner: how many times the work it needs, or that it never gets there.
 std::string comparison(const StudiedMethod& method, const std::optional<Winner>& own, const Winner& best) {
   if (!own) return method.name + " does not reach it";
-  return method.name + " needs " + with("%.2g", own->work / best.work) + " times that";
+  return method.name + " needs " + formatted("%.2g", own->work / best.work) + " times that";
 }
 
 }  // namespace
@@ -154,9 +149,11 @@ std::string verdict_for(const Study& study, const std::vector<StudyResult>& resu
   if (best == winners.size()) return {};
   const Winner& winner = *winners[best];
   const std::string step = step_name(study, study.runs[winner.run]);
-  std::string sentence = "For an error of " + power_text(target) + ", " + study.methods[best].name +
-                         (step.empty() ? "" : " at " + step) + " is the cheapest: " + with("%.2g", winner.work) +
-                         " ms per simulated second";
+  const std::string error = study.measures.front().has_reference
+                                ? "an error of " + power_text(target)
+                                : "a difference of " + power_text(target) + " from itself at a far smaller step";
+  std::string sentence = "For " + error + ", " + study.methods[best].name + (step.empty() ? "" : " at " + step) +
+                         " is the cheapest: " + formatted("%.2g", winner.work) + " ms per simulated second";
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < winners.size(); ++i) {
     if (i != best) others.push_back(i);
@@ -189,7 +186,7 @@ std::string power_text(double value) {
   const double exponent = std::round(std::log10(value));
   if (value == 1) return "1";
   if (std::abs(value / std::pow(10.0, exponent) - 1) < 1e-9) return "1e" + std::to_string(static_cast<int>(exponent));
-  return with("%.3g", value);
+  return formatted("%.3g", value);
 }
 
 }  // namespace proofreel

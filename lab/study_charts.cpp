@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/score_text.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
-
-std::string with(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 constexpr std::array<const char*, work_axis_count> work_labels{
     "CPU time per simulated second (ms)", "updates of constraint rows and body forces per simulated second",
@@ -54,8 +48,8 @@ MethodData data_of(const Study& study, const std::vector<StudyResult>& results, 
 
 std::string note_of(const MethodData& data, const std::optional<double>& floor) {
   std::string note;
-  if (const auto fitted = fitted_order(data.steps_s, data.errors)) note = "order " + with("%.2f", fitted->order);
-  if (floor) note.append(note.empty() ? "" : ", ").append("not below ").append(with("%.1e", *floor));
+  if (const auto fitted = fitted_order(data.steps_s, data.errors)) note = "order " + formatted("%.2f", fitted->order);
+  if (floor) note.append(note.empty() ? "" : ", ").append("not below ").append(formatted("%.1e", *floor));
   return note.empty() && data.steps_s.size() > 2 ? "no clear order" : note;
 }
 
@@ -81,7 +75,7 @@ ChartCurve curve_of(const Study& study, const std::vector<StudyResult>& results,
 void add_triangle(Chart& chart, const MethodData& data) {
   const auto fitted = fitted_order(data.steps_s, data.errors);
   if (!fitted || !data.work[fitted->first] || !data.work[fitted->last]) return;
-  const std::string label = with("%.0f", fitted->order);
+  const std::string label = formatted("%.0f", fitted->order);
   const auto has_label = [&](const SlopeTriangle& triangle) { return triangle.label == label; };
   if (label == "0" || std::any_of(chart.triangles.begin(), chart.triangles.end(), has_label)) return;
   SlopeTriangle triangle{{}, -std::round(fitted->order), label};
@@ -131,14 +125,15 @@ std::string words_of(const Study& study, const StudyRun& run, const StudyResult&
   std::string words = study.methods[run.method].name + (step.empty() ? "" : ", " + step) + ": ";
   if (r.status != RunStatus::ended) return words + name_of(r.status) + (r.why.empty() ? "" : " (" + r.why + ")");
   const std::optional<double> error = r.errors.empty() ? std::nullopt : r.errors[0];
-  words += error ? "error " + with("%.3g", *error) : std::string("no error known");
-  if (r.energy_error) words += "; energy error " + with("%.3g", *r.energy_error);
-  if (const auto work = work_of(r, WorkAxis::cpu)) words += "; " + with("%.3g", *work) + " ms per simulated second";
-  if (r.collision_share) words += ", " + with("%.0f", 100 * *r.collision_share) + " % of it collision";
+  words += error ? "error " + formatted("%.3g", *error) : std::string("no error known");
+  if (r.energy_error) words += "; energy error " + formatted("%.3g", *r.energy_error);
+  if (const auto work = work_of(r, WorkAxis::cpu))
+    words += "; " + formatted("%.3g", *work) + " ms per simulated second";
+  if (r.collision_share) words += ", " + formatted("%.0f", 100 * *r.collision_share) + " % of it collision";
   if (const auto work = work_of(r, WorkAxis::updates))
-    words += "; " + with("%.0f", *work) + " updates per simulated second";
+    words += "; " + formatted("%.0f", *work) + " updates per simulated second";
   if (const auto work = work_of(r, WorkAxis::instructions))
-    words += "; " + with("%.3g", *work) + " instructions per simulated second";
+    words += "; " + formatted("%.3g", *work) + " instructions per simulated second";
   return words;
 }
 
@@ -212,7 +207,7 @@ Chart energy_chart(const Study& study, const std::vector<std::size_t>& runs, con
   chart.notes = {equal_cost_note,
                  "Energy beyond what the run began with and the work done on it, over the largest "
                  "kinetic energy of the scene (" +
-                     with("%.4g", energy_scale_j) + " J)."};
+                     formatted("%.4g", energy_scale_j) + " J)."};
   chart.x = {"time (s)", false};
   chart.y = {"|energy drift|", true};
   add_curves(chart, study, runs, traces, [&](const Trace& trace) {

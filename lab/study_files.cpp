@@ -83,6 +83,15 @@ DrawnFigure draw_in_child(const Figure& figure, std::optional<GlBackend> gl) {
   return {end.answer.substr(colon + 1, size), end.answer.substr(colon + 1 + size)};
 }
 
+/// Those of another study in the same folder, which may have had figures that this one has not.
+void remove_figures(const std::filesystem::path& folder) {
+  for (const char* name : {"work_precision", "work_precision_updates", "work_precision_instructions", "error_over_time",
+                           "energy_drift", "phase_portrait"}) {
+    std::error_code ignored;
+    for (const char* ending : {".png", ".svg"}) std::filesystem::remove(folder / (std::string(name) + ending), ignored);
+  }
+}
+
 Json number_or_null(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -152,6 +161,7 @@ void write_study_files(const Study& study, const StudyOutcome& outcome, const St
                        std::optional<GlBackend> gl, const std::string& command, const std::string& version) {
   const std::filesystem::path folder(work.folder);
   const std::vector<Figure> figures = figures_of(study, outcome, work);
+  remove_figures(folder);
   PageFacts facts{command, version, machine_name(), {}, "study.csv"};
   std::vector<PageFigure> on_page;
   for (const Figure& figure : figures) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "lab/chart.h"
+#include "lab/print_colors.h"
 #include "lab/study_analysis.h"
 #include "lab/study_charts.h"
 #include "render/draw.h"
@@ -13,9 +14,6 @@
 
 namespace proofreel {
 namespace {
-
-constexpr Color ink{0x1F, 0x2A, 0x36};
-constexpr Color paper{0xFF, 0xFF, 0xFF};
 
 // Sizes in pixels.
 constexpr int chart_height = 380;

@@ -1,26 +1,20 @@
 #include "lab/study_page.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "lab/csv.h"
 #include "lab/html.h"
 #include "lab/score_text.h"
 #include "lab/study_analysis.h"
 #include "lab/study_charts.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
 
-std::string with(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// A cell that sorts by a number and shows it; both empty without one.
 std::string number_cell(std::optional<double> value, const char* format) {
-  return tag("td", value ? with(format, *value) : "", attribute("data-sort", value ? exact(*value) : ""));
+  return tag("td", value ? formatted(format, *value) : "", attribute("data-sort", value ? exact(*value) : ""));
 }
 
 std::string figures_of(const std::vector<PageFigure>& figures) {
@@ -120,7 +114,7 @@ std::string rules(const Study& study, double energy_scale_j) {
       energy_scale_j > 0
           ? "The energy error is the largest deviation from the initial energy and the work done on the "
             "scene, divided by " +
-                with("%.4g", energy_scale_j) + " J, the largest kinetic energy in the scene as its file steps it."
+                formatted("%.4g", energy_scale_j) + " J, the largest kinetic energy in the scene as its file steps it."
           : std::string("Nothing moves in the scene: there is no scale for errors of the energy."),
       "One scene for all; nothing in it is tuned for a method.",
       "CPU time is that of the steps alone, the least of two to five runs (of one, where that is long) in processes of "

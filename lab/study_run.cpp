@@ -184,11 +184,11 @@ std::string packed(const Trace& trace) {
   return {first, first + writer.bytes().size()};
 }
 
-Trace unpacked_trace(const std::string& bytes) {
+std::optional<Trace> unpacked_trace(const std::string& bytes) {
   ArchiveReader reader(std::as_bytes(std::span(bytes)));
   Trace trace;
   reader(trace);
-  return trace;
+  return reader.ended_well() ? std::optional(std::move(trace)) : std::nullopt;
 }
 
 Trace trace_of(const Study& study, const StudyRun& run, double limit_s) {
@@ -213,6 +213,7 @@ StudyRun finer_run(const Study& study, std::size_t method) {
   const double own = number_in(*own_setting(*scenario, key)).value_or(1);
   run.set = overlaid(run.set, {{key, exact(own * finer_steps)}});
   run.step_s /= finer_steps;
+  run.key += "-finer";
   return run;
 }
 

@@ -27,14 +27,15 @@ struct Trace {
   std::optional<std::int64_t> evaluations;
 };
 
-/// The trace as bytes, and back.
+/// The trace as bytes, and back; nothing when they are no whole trace.
 std::string packed(const Trace& trace);
-Trace unpacked_trace(const std::string& bytes);
+std::optional<Trace> unpacked_trace(const std::string& bytes);
 
 /// Steps one run to its end and samples it. Nothing in it is timed but the share of collision.
 Trace trace_of(const Study& study, const StudyRun& run, double limit_s);
 
-/// The same method at a step `finer_steps` times smaller than the method's finest.
+/// The same method at a step `finer_steps` times smaller than the method's finest. Throws ScenarioError where there is
+/// no such step.
 StudyRun finer_run(const Study& study, std::size_t method);
 
 /// CPU time of the run's steps, s: the least of several runs. Call it where nothing else runs.

@@ -1,16 +1,9 @@
 #include "lab/study_table.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
-#include "render/output_file.h"
 #include "render/usage_error.h"
-#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {
@@ -22,7 +15,6 @@ const CsvRecord& result_columns() {
   return columns;
 }
 
-std::string text_of(std::optional<double> number) { return number ? exact(*number) : std::string(); }
 std::string text_of(std::optional<std::int64_t> number) { return number ? std::to_string(*number) : std::string(); }
 
 std::optional<double> per_simulated_s(const StudyResult& result) {
@@ -38,11 +30,6 @@ std::optional<std::int64_t> count_in(const std::string& text) {
 std::string engine_of(const StudiedMethod& method) {
   if (!method.peer) return "proofreel";
   return name_of(*method.peer) + std::string(method.preset == PeerPreset::accurate ? " accurate" : "");
-}
-
-std::string text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// A line's measure, its error, and all else.
@@ -72,6 +59,17 @@ std::optional<StoredLine> line_in(const CsvRecord& record, std::size_t keys) {
   return line;
 }
 
+/// One line more of what is known of a run.
+void learn(StudyResult& known, const StoredLine& line, const Study& study) {
+  std::vector<std::optional<double>> errors = std::move(known.errors);
+  errors.resize(study.measures.size());
+  known = line.rest;
+  for (std::size_t i = 0; i < study.measures.size(); ++i) {
+    if (study.measures[i].name == line.measure) errors[i] = line.error;
+  }
+  known.errors = std::move(errors);
+}
+
 }  // namespace
 
 CsvRecord header_of(const Study& study) {
@@ -98,35 +96,23 @@ std::vector<CsvRecord> records_of(const Study& study, const StudyRun& run, const
   return records;
 }
 
-StudyTable::StudyTable(std::string path, const Study& study) : path_(std::move(path)), study_(study) {
-  const CsvRecord header = header_of(study);
-  std::string whole = csv_line(header);
-  const std::vector<CsvRecord> records = csv_records(text_in(path_));
-  if (!records.empty() && records.front() != header) {
-    throw UsageError(path_ + " holds a table of other columns: name another folder with -o, or remove it.");
-  }
+StudyTable::StudyTable(const std::string& path, const Study& study) : file_(path, header_of(study)), study_(study) {
+  std::vector<CsvRecord> whole;
   std::unordered_map<std::string, std::size_t> lines_of;
-  for (const CsvRecord& record : records) {
+  for (const CsvRecord& record : file_.found()) {
     std::optional<StoredLine> line = line_in(record, study.keys.size());
     if (!line) continue;
     if (record[0] != study.scenario)
-      throw UsageError(path_ + " holds a study of " + record[0] + ": name another folder with -o, or remove it.");
-    whole += csv_line(record);
+      throw UsageError(path + " holds a study of " + record[0] + ": name another folder with -o, or remove it.");
+    whole.push_back(record);
     ++lines_of[line->key];
-    StudyResult& known = known_[line->key];
-    std::vector<std::optional<double>> errors = std::move(known.errors);
-    errors.resize(study.measures.size());
-    known = std::move(line->rest);
-    for (std::size_t i = 0; i < study.measures.size(); ++i) {
-      if (study.measures[i].name == line->measure) errors[i] = line->error;
-    }
-    known.errors = std::move(errors);
+    learn(known_[line->key], *line, study);
   }
   // A run is known by all of its lines: one per measure, every time it was written down.
   for (const auto& [key, lines] : lines_of) {
     if (lines % study.measures.size() != 0) known_.erase(key);
   }
-  write_file(path_, whole);
+  file_.rewrite(whole);
 }
 
 const StudyResult* StudyTable::find(const StudyRun& run, double limit_s) const {
@@ -137,21 +123,16 @@ const StudyResult* StudyTable::find(const StudyRun& run, double limit_s) const {
 }
 
 void StudyTable::add(const StudyRun& run, const StudyResult& result) {
-  std::string lines;
-  for (const CsvRecord& record : records_of(study_, run, result)) lines += csv_line(record);
-  const int file = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const bool written = file >= 0 && ::write(file, lines.data(), lines.size()) == static_cast<ssize_t>(lines.size());
-  if (file >= 0) ::close(file);
-  if (!written) throw EnvironmentError("Cannot write " + path_ + ": is the disk full?");
+  file_.append(records_of(study_, run, result));
   known_[run.key] = result;
 }
 
 void StudyTable::rewrite(const std::vector<StudyResult>& results) const {
-  std::string whole = csv_line(header_of(study_));
+  std::vector<CsvRecord> records;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    for (const CsvRecord& record : records_of(study_, study_.runs[i], results[i])) whole += csv_line(record);
+    for (CsvRecord& record : records_of(study_, study_.runs[i], results[i])) records.push_back(std::move(record));
   }
-  write_file(path_, whole);
+  file_.rewrite(records);
 }
 
 }  // namespace proofreel

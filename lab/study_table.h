@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "lab/csv.h"
+#include "lab/csv_file.h"
 #include "lab/study.h"
 
 namespace proofreel {
@@ -21,7 +21,7 @@ class StudyTable {
  public:
   /// Reads what is there; a last line that was cut off is forgotten. Throws UsageError when the file holds something
   /// else, EnvironmentError when it cannot be written.
-  StudyTable(std::string path, const Study& study);
+  StudyTable(const std::string& path, const Study& study);
 
   /// What is known of a run. What was too slow within less than `limit_s` is not.
   const StudyResult* find(const StudyRun& run, double limit_s) const;
@@ -31,7 +31,7 @@ class StudyTable {
   void rewrite(const std::vector<StudyResult>& results) const;
 
  private:
-  std::string path_;
+  CsvFile file_;
   const Study& study_;
   std::unordered_map<std::string, StudyResult> known_;
 };

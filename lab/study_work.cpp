@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lab/callgrind.h"
+#include "lab/kept_traces.h"
 #include "lab/study_table.h"
 #include "scenarios/environment_error.h"
 #include "scenarios/scenario.h"
@@ -18,8 +19,8 @@ namespace {
 constexpr double grace_s = 10;
 
 Trace trace_in(const ChildEnd& end) {
-  if (end.died_of.empty() && !end.out_of_time) return unpacked_trace(end.answer);
   Trace trace;
+  if (end.died_of.empty() && !end.out_of_time) return unpacked_trace(end.answer).value_or(trace);
   trace.status = end.out_of_time ? RunStatus::too_slow : RunStatus::failed;
   trace.why = end.out_of_time ? "stopped at its limit" : "the engine crashed: " + end.died_of;
   return trace;
@@ -40,7 +41,27 @@ std::vector<Trace> traced(const Study& study, const std::vector<StudyRun>& runs,
   return traces;
 }
 
-void keep_nothing(std::size_t /*run*/, const Trace& /*trace*/) {}
+/// The same of runs that are kept beside the study's own, those left out that are known from before.
+std::vector<Trace> kept_or_traced(const Study& study, const std::vector<StudyRun>& runs, const StudyWork& work,
+                                  double limit_s, const WorkProgress& progress) {
+  const KeptTraces kept(work.folder);
+  std::vector<Trace> traces(runs.size());
+  std::vector<std::size_t> todo;
+  std::vector<StudyRun> unknown;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (std::optional<Trace> known = kept.find(runs[i])) {
+      traces[i] = std::move(*known);
+    } else {
+      todo.push_back(i);
+      unknown.push_back(runs[i]);
+    }
+  }
+  traced(study, unknown, work, limit_s, progress, [&](std::size_t i, const Trace& trace) {
+    kept.keep(unknown[i], trace);
+    traces[todo[i]] = trace;
+  });
+  return traces;
+}
 
 bool compares_with_itself(const Study& study) {
   return std::any_of(study.measures.begin(), study.measures.end(), [](const auto& m) { return !m.has_reference; });
@@ -66,7 +87,7 @@ FinerTraces finer_traces(const Study& study, const std::set<std::size_t>& method
     }
   }
   // The finest run within its limit may need a reference that takes `finer_steps` times as long.
-  std::vector<Trace> traces = traced(study, runs, work, finer_steps * work.limit_s, progress, keep_nothing);
+  std::vector<Trace> traces = kept_or_traced(study, runs, work, finer_steps * work.limit_s, progress);
   for (std::size_t i = 0; i < list.size(); ++i) finer.emplace(list[i], std::move(traces[i]));
   return finer;
 }
@@ -118,14 +139,14 @@ class Worker {
     phase_("energy scale");
     StudyRun own = study_.runs.front();
     own.set = study_.set;
+    own.key += "-own";
     std::vector<StudyRun> candidates{own};
     for (std::size_t method = 0; method < study_.methods.size(); ++method) {
       candidates.push_back(study_.runs[runs_of(study_, method).second - 1]);
     }
     for (const StudyRun& run : candidates) {
-      const Trace trace = traced(
-                              study_, {run}, work_, work_.limit_s, [](std::int64_t, std::int64_t) {}, keep_nothing)
-                              .front();
+      const Trace trace =
+          kept_or_traced(study_, {run}, work_, work_.limit_s, [](std::int64_t, std::int64_t) {}).front();
       if (trace.status != RunStatus::ended || !(trace.largest_kinetic_j > 0)) continue;
       energy_scale_j_ = trace.largest_kinetic_j;
       return;
@@ -196,6 +217,10 @@ class Worker {
       const StudyRun& run = study_.runs[todo[i]];
       StudyResult result = *table_.find(run, 0);
       result.cpu_s = number_in(end.answer);
+      if (!result.cpu_s) {  // it has an error, but nobody knows at what price
+        result.status = end.out_of_time ? RunStatus::too_slow : RunStatus::failed;
+        result.why = "while it was timed: " + (end.out_of_time ? std::string("stopped at its limit") : end.died_of);
+      }
       table_.add(run, result);
     };
     work_off_children(todo.size(), 1, work_of, keep, progress_);
@@ -260,7 +285,7 @@ std::vector<Trace> traces_of(const Study& study, const std::vector<std::size_t>&
     methods.insert(study.runs[i].method);
   }
   const FinerTraces finer = finer_traces(study, methods, work, progress);
-  std::vector<Trace> traces = traced(study, runs, work, work.limit_s, progress, keep_nothing);
+  std::vector<Trace> traces = kept_or_traced(study, runs, work, work.limit_s, progress);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const auto own = finer.find(runs[i].method);
     if (own != finer.end() && traces[i].status == RunStatus::ended) expect_finer(study, traces[i], own->second);

@@ -20,8 +20,7 @@ Study single(const Study& study, std::size_t method, int rate) {
   run.set = overlaid(run.set, {{"rate", std::to_string(rate)}});
   one.runs = {run};
   one.refined = "rate";
-  one.samples_per_s = rate_grain;
-  while (one.samples_per_s % 2 == 0 && one.samples_per_s * study.duration_s > 1000) one.samples_per_s /= 2;
+  one.samples_per_s = samples_for({rate, study.fps}, study.duration_s);
   return one;
 }
 

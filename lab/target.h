@@ -11,7 +11,7 @@
 
 namespace proofreel {
 
-/// Rates are looked for among the multiples of this, in steps per second. Samples are taken no more often.
+/// Rates are looked for among the multiples of this, in steps per second. Samples are those of a study at that rate.
 inline constexpr int rate_grain = 30;
 /// No higher rates are tried.
 inline constexpr int highest_rate = 122'880;

@@ -1,9 +1,9 @@
 // Loading: from the file's text to a scenario that can run.
 
 #include <algorithm>
-#include <cstdio>
 
 #include "scenarios/effects.h"
+#include "scenarios/formatted.h"
 #include "scenarios/lua_bodies.h"
 #include "scenarios/lua_script.h"
 #include "scenarios/lua_shapes.h"
@@ -25,11 +25,7 @@ std::vector<std::string> global_names(lua_State* state) {
   return names;
 }
 
-std::string shown(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", seconds);
-  return text;
-}
+std::string shown(double seconds) { return formatted("%.6g", seconds); }
 
 bool is_overridden(const Model& model, const std::string& path) {
   return std::any_of(model.overrides.begin(), model.overrides.end(), [&](const auto& o) { return o.path == path; });

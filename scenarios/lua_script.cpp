@@ -1,8 +1,8 @@
 #include "scenarios/lua_script.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "scenarios/formatted.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/suggest.h"
 #include "scenarios/timeline.h"
@@ -65,9 +65,7 @@ std::string place_of(lua_State* state, int function) {
 
 /// " (in measure "x", at 0.5 s)"
 std::string context(const std::string& what, double seconds) {
-  char time[48];
-  std::snprintf(time, sizeof time, "at %.6g s)", seconds);
-  return " (in " + what + ", " + time;
+  return " (in " + what + formatted(", at %.6g s)", seconds);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "scenarios/film.h"
+#include "scenarios/formatted.h"
 #include "scenarios/recorder.h"
 #include "scenarios/replay.h"
 #include "scenarios/run_saver.h"
@@ -44,9 +44,8 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
   const auto body = static_cast<std::size_t>(failure.body);
   const bool named = body >= 1 && body <= scenario.body_names.size();
   const std::string who = named ? "body " + quote(scenario.body_names[body - 1]) : std::string("the scene");
-  char time[32];
-  std::snprintf(time, sizeof time, "%.6g", static_cast<double>(failure.tick) / scenario.scene.rate);
-  return scenario.path + ": the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + " s): in " +
+  const std::string time = formatted("%.6g s", static_cast<double>(failure.tick) / scenario.scene.rate);
+  return scenario.path + ": the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + "): in " +
          failure.stage + " the motion of " + who + " " + failure.what +
          "; use smaller forces or stiffness, or a higher rate";
 }

@@ -1,8 +1,7 @@
 #include "scenarios/saved_run.h"
 
-#include <cstdio>
-
 #include "engine/scene_archive.h"
+#include "scenarios/formatted.h"
 #include "scenarios/suggest.h"
 
 namespace proofreel {
@@ -54,11 +53,7 @@ constexpr std::uint32_t version = 1;
   throw ScenarioError(file + " cannot be resumed: " + why);
 }
 
-std::string seconds(std::int64_t tick, int rate) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g s", static_cast<double>(tick) / rate);
-  return text;
-}
+std::string seconds(std::int64_t tick, int rate) { return formatted("%.6g s", static_cast<double>(tick) / rate); }
 
 /// The duration may be another one: it changes nothing but where the run ends.
 std::string in_words(std::map<std::string, std::string> settings) {

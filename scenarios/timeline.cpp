@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "scenarios/formatted.h"
 #include "scenarios/runner.h"
 
 namespace proofreel {
 namespace {
 
-std::string shown(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
+std::string shown(double number) { return formatted("%.6g", number); }
 
 [[noreturn]] void refuse_rate(int rate, int fps) {
   const int below = rate / fps * fps;

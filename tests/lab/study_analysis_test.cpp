@@ -10,6 +10,7 @@ namespace {
 
 using namespace test;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 using Numbers = std::vector<std::optional<double>>;
 
 /// Errors of the given order at steps that halve, from 1 s on.
@@ -106,6 +107,10 @@ TEST_CASE("The verdict names the cheapest method for the error, and what the oth
   REQUIRE(verdict_for(study, results, 1e-4) ==
           "For an error of 1e-4, rk4 at rate 120 is the cheapest: 10 ms per simulated second; verlet needs 1.2 times "
           "that; euler does not reach it.");
+  Study unknown = study;
+  unknown.measures.front().has_reference = false;
+  REQUIRE_THAT(verdict_for(unknown, results, 1e-4),
+               StartsWith("For a difference of 1e-4 from itself at a far smaller step, rk4 at rate 120"));
   REQUIRE(verdict_for(study, results, 1e-20).empty());
   REQUIRE_THAT(verdict_of(study, results), Contains("For an error of 1e-"));
   REQUIRE(verdict_of(study, {}).empty());

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <set>
 
 #include "lab/study_analysis.h"
@@ -156,6 +158,23 @@ TEST_CASE("Without a reference a method is compared with itself at a sixteenth o
   REQUIRE(*outcome.results[1].errors[0] == Approx(9.81 * (1.0 / 120 - finer_s) / 2 / scale).epsilon(0.01));
 }
 
+TEST_CASE("The finer run that others are compared with is not run twice", "[study]") {
+  const StudyFolder folder;
+  const Study study = plan_study(
+      folder.request(throw_up(), {"integrator=symplectic_euler", "rate=60,120", "substeps=1"}, {}, {"height"}));
+  const StudyOutcome first = folder.outcome(study);
+  std::filesystem::remove(folder.table());
+  std::string phase;
+  std::map<std::string, std::int64_t> done;
+  const StudyOutcome again = work_off(
+      study, folder.work(), [&](const char* name) { phase = name; },
+      [&](std::int64_t, std::int64_t total) { done[phase] = total; });
+  REQUIRE(done["finer runs"] == 0);
+  REQUIRE(done["errors"] == 2);
+  REQUIRE(again.results[0].errors == first.results[0].errors);
+  REQUIRE(again.energy_scale_j == first.energy_scale_j);
+}
+
 TEST_CASE("A run that fails, or takes too long, is part of the result", "[study]") {
   const StudyFolder folder;
   const std::string stiff = known_throw() + "spring { world, ball, from = {0, 1}, to = {0, 0}, stiffness = 1e9 }\n";
@@ -214,6 +233,30 @@ TEST_CASE("The table has a line for every run and measure, and refuses another s
   REQUIRE_THROWS_AS(folder.outcome(other), UsageError);
 }
 
+TEST_CASE("The table of another scenario, and a file that is no table, are left as they were", "[study]") {
+  const StudyFolder folder;
+  folder.outcome(plan_study(folder.request(known_throw(), {"rate=60"})));
+  const std::string table = read_text(folder.table());
+  const StudyRequest other{folder.file(known_throw(), "another"), {}, parse_axes({"rate=60"}), {}, {}};
+  REQUIRE_THROWS_WITH(folder.outcome(plan_study(other)), Contains("holds a study of"));
+  REQUIRE(read_text(folder.table()) == table);
+  write_text(folder.table(), "my diary");
+  REQUIRE_THROWS_WITH(folder.outcome(plan_study(other)), Contains("holds a table of other columns"));
+  REQUIRE(read_text(folder.table()) == "my diary");
+}
+
+TEST_CASE("What was broken off is not taken for a failure", "[study]") {
+  const StudyFolder folder;
+  const Study study = plan_study(folder.request(known_throw(), {"rate=60,120,240"}));
+  struct Interrupted {};
+  const auto interrupt = [](std::int64_t done, std::int64_t) {
+    if (done == 1) throw Interrupted{};
+  };
+  REQUIRE_THROWS_AS(work_off(study, folder.work(), wordlessly, interrupt), Interrupted);
+  REQUIRE(read_text(folder.table()).find("failed") == std::string::npos);
+  for (const StudyResult& result : folder.outcome(study).results) REQUIRE(result.status == RunStatus::ended);
+}
+
 StudyRequest search(const StudyFolder& folder, const std::string& lua, const std::vector<std::string>& vary) {
   StudyRequest request = folder.request(lua, vary);
   request.axes = axes_of_search(request.axes);
@@ -242,6 +285,13 @@ TEST_CASE("The planner's answer meets its target, and the next cheaper rate does
   REQUIRE(*error_at_rate(check, 0, rate, 10) <= target);
 }
 
+TEST_CASE("The planner's error is the one that a study at that rate finds", "[study]") {
+  const StudyFolder folder;
+  const StudyRequest request = folder.request(known_throw(), {"integrator=symplectic_euler", "rate=120", "substeps=1"});
+  const Study study = plan_study(request);
+  REQUIRE(*error_at_rate(study, 0, 120, 10) == *folder.outcome(study).results[0].errors[0]);
+}
+
 TEST_CASE("The planner says of whom nothing helps", "[study]") {
   const StudyFolder folder;
   const std::string wrong = throw_up("reference(\"height\", function(t) return 1 end)\n");
@@ -259,7 +309,8 @@ TEST_CASE("Traces come back from their process as they were", "[study]") {
   trace.expected = {{1.0, std::nullopt}, {std::nullopt, 4.0}};
   trace.energy_drift_j = {0, -1e-300};
   trace.row_updates = 12;
-  const Trace back = unpacked_trace(packed(trace));
+  const std::string bytes = packed(trace);
+  const Trace back = unpacked_trace(bytes).value();
   REQUIRE(back.status == trace.status);
   REQUIRE(back.why == "stopped");
   REQUIRE(back.times_s == trace.times_s);
@@ -268,6 +319,7 @@ TEST_CASE("Traces come back from their process as they were", "[study]") {
   REQUIRE(back.energy_drift_j == trace.energy_drift_j);
   REQUIRE(back.row_updates == trace.row_updates);
   REQUIRE_FALSE(back.evaluations);
+  for (std::size_t length = 0; length < bytes.size(); ++length) REQUIRE_FALSE(unpacked_trace(bytes.substr(0, length)));
 }
 
 TEST_CASE("An error is relative to the largest reference, and a NaN is not overlooked", "[study]") {

@@ -1,0 +1,221 @@
+#include "engine/block_matrix.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace proofreel {
+inline namespace PROOFREEL_PRECISION {
+
+template <typename T>
+T BlockMatrixOf<T>::factor() {
+  T least = 1;
+  for (int c = 0; c + 1 < static_cast<int>(panels_.size()); ++c) {
+    const Panel& panel = panels_[at(c)];
+    // Until the panel is factored, the diagonal as it was waits where the inverse pivots will be.
+    for (int t = 0; t < panel.width; ++t)
+      inverse_pivot_[at(panel.first + t)] = values_[panel.begin + at(t) * at(panel.height + 1)];
+    for (const int place : beside_[at(c)]) few_ ? subtract_few(place) : subtract_what_follows_from(place);
+    if (!beside_[at(c)].empty()) few_ ? take_few(panel) : take_updates(panel);
+    least = std::min(least, factor_panel(panel));
+  }
+  return least;
+}
+
+/// As below, the same sums in the same order.
+template <typename T>
+void BlockMatrixOf<T>::subtract_few(int place) {
+  const Panel& source = panels_[at(column_[at(place)])];
+  const Panel& target = panels_[at(row_[at(place)])];
+  const int* rows = meeting_.data() + meets_[at(place)];
+  const int count = source.height - offset_[at(place)];
+  const bool pairs = in_runs_[at(column_[at(place)])];
+  for (int s = 0; s < source.width; ++s) {
+    const T* a = values_.data() + source.begin + at(s) * at(source.height) + at(offset_[at(place)]);
+    const T* b = a + source.height;
+    const T pivot = pivot_[at(source.first + s)];
+    T* sums = updates_.data();
+    if (pairs && s + 1 < source.width) {
+      const T next_pivot = pivot_[at(source.first + ++s)];
+      for (int t = 0; t < target.width; ++t, sums += target.height) {
+        const T of_a = a[t] * pivot;
+        const T of_b = b[t] * next_pivot;
+        for (int k = t; k < count; ++k) sums[rows[k]] += of_a * a[k] + of_b * b[k];
+      }
+      continue;
+    }
+    for (int t = 0; t < target.width; ++t, sums += target.height) {
+      const T factor = a[t] * pivot;
+      for (int k = t; k < count; ++k) sums[rows[k]] += factor * a[k];
+    }
+  }
+}
+
+template <typename T>
+void BlockMatrixOf<T>::take_few(const Panel& panel) {
+  T* __restrict values = values_.data() + panel.begin;
+  T* __restrict updates = updates_.data();
+  const int count = panel.width * panel.height;
+  for (int k = 0; k < count; ++k) {
+    values[k] -= updates[k];
+    updates[k] = 0;
+  }
+}
+
+/// What eliminating the column of the block at `place` does to the column of the block's row.
+template <typename T>
+void BlockMatrixOf<T>::subtract_what_follows_from(int place) {
+  if (threes_) return in_runs_[at(column_[at(place)])] ? subtract_threes<true>(place) : subtract_threes<false>(place);
+  if (in_runs_[at(column_[at(place)])]) return subtract_in_runs(place);
+  const Panel source = panels_[at(column_[at(place)])];
+  const int begin = offset_[at(place)];
+  const int end = begin + panels_[at(row_[at(place)])].width;
+  const int* equations = equations_of(source);
+  const T* values = values_.data() + source.begin;
+  for (int s = 0; s < source.width; ++s, values += source.height) {
+    const T pivot = pivot_[at(source.first + s)];
+    T* updates = updates_.data();
+    for (int t = begin; t < end; ++t, updates += size()) {
+      const T factor = values[t] * pivot;
+      for (int k = t; k < source.height; ++k) updates[equations[k]] += factor * values[k];
+    }
+  }
+}
+
+/// The same, two columns at a time, so that the sums are loaded half as often.
+template <typename T>
+void BlockMatrixOf<T>::subtract_in_runs(int place) {
+  const Panel source = panels_[at(column_[at(place)])];
+  const int begin = offset_[at(place)];
+  const int width = panels_[at(row_[at(place)])].width;
+  for (int s = 0; s < source.width; s += 2) {
+    const bool pair = s + 1 < source.width;
+    const T* a = values_.data() + source.begin + at(s) * at(source.height);
+    const T* b = pair ? a + source.height : a;
+    for (int t = 0; t < width; ++t) {
+      const T of_a = a[begin + t] * pivot_[at(source.first + s)];
+      const T of_b = pair ? b[begin + t] * pivot_[at(source.first + s + 1)] : 0;
+      for_each_run(place, t, [&](int row, int offset, int count) {
+        T* __restrict sum = updates_.data() + at(t) * at(size()) + row;
+        for (int k = 0; k < count; ++k) sum[k] += of_a * a[offset + k] + of_b * b[offset + k];
+      });
+    }
+  }
+}
+
+/// The same where all blocks have three rows: nine products for every three entries that are loaded, and three sums.
+template <typename T>
+template <bool in_runs>
+void BlockMatrixOf<T>::subtract_threes(int place) {
+  const Panel& source = panels_[at(column_[at(place)])];
+  const T* __restrict a = values_.data() + source.begin;
+  const T* __restrict b = a + source.height;
+  const T* __restrict c = b + source.height;
+  const int top = offset_[at(place)];
+  T of_a[3];
+  T of_b[3];
+  T of_c[3];
+  for (int t = 0; t < 3; ++t) {
+    of_a[t] = a[top + t] * pivot_[at(source.first)];
+    of_b[t] = b[top + t] * pivot_[at(source.first + 1)];
+    of_c[t] = c[top + t] * pivot_[at(source.first + 2)];
+  }
+  T* __restrict first_sums = updates_.data();
+  T* __restrict second_sums = first_sums + size();
+  T* __restrict third_sums = second_sums + size();
+  const auto subtract = [&](int row, int offset, int count) {
+    for (int k = 0; k < count; ++k) {
+      const T in_a = a[offset + k];
+      const T in_b = b[offset + k];
+      const T in_c = c[offset + k];
+      first_sums[row + k] += of_a[0] * in_a + of_b[0] * in_b + of_c[0] * in_c;
+      second_sums[row + k] += of_a[1] * in_a + of_b[1] * in_b + of_c[1] * in_c;
+      third_sums[row + k] += of_a[2] * in_a + of_b[2] * in_b + of_c[2] * in_c;
+    }
+  };
+  if constexpr (in_runs) {
+    for_each_run(place, 0, subtract);
+  } else {
+    const int end = start_[at(column_[at(place)]) + 1];
+    for (int p = place; p < end; ++p) subtract(first(row_[at(p)]), offset_[at(p)], 3);
+  }
+}
+
+template <typename T>
+void BlockMatrixOf<T>::take_updates(const Panel& panel) {
+  const int* equations = equations_of(panel);
+  for (int t = 0; t < panel.width; ++t) {
+    T* values = values_.data() + panel.begin + at(t) * at(panel.height);
+    T* updates = updates_.data() + at(t) * at(size());
+    for (int k = threes_ ? 0 : t; k < panel.height; ++k) values[k] -= std::exchange(updates[equations[k]], T(0));
+  }
+}
+
+/// Eliminates within one panel, column by column. Returns its least relative pivot.
+template <typename T>
+T BlockMatrixOf<T>::factor_panel(const Panel& panel) {
+  if (panel.width == 1) return factor_narrow<1>(panel);
+  if (panel.width == 2) return factor_narrow<2>(panel);
+  if (panel.width == 3) return factor_narrow<3>(panel);
+  const T negligible = 64 * std::numeric_limits<T>::epsilon();
+  T least = 1;
+  const int height = panel.height;
+  for (int t = 0; t < panel.width; ++t) {
+    T* values = values_.data() + panel.begin + at(t) * at(height);
+    const T pivot = values[t];
+    T& diagonal = inverse_pivot_[at(panel.first + t)];
+    if (pivot < least * diagonal) least = pivot / diagonal;
+    const T inverse = pivot > negligible * diagonal ? 1 / pivot : 0;
+    T* __restrict other = values;
+    for (int u = t + 1; u < panel.width; ++u) {
+      other += height;
+      const T factor = values[u] * inverse;
+      for (int k = u; k < height; ++k) other[k] -= factor * values[k];
+    }
+    for (int k = t + 1; k < height; ++k) values[k] *= inverse;
+    pivot_[at(panel.first + t)] = pivot;
+    diagonal = inverse;
+  }
+  return least;
+}
+
+/// The same with a width that the compiler knows: most joints have two rows, or three.
+template <typename T>
+template <int width>
+T BlockMatrixOf<T>::factor_narrow(const Panel& panel) {
+  const T negligible = 64 * std::numeric_limits<T>::epsilon();
+  T least = 1;
+  const int height = panel.height;
+  T* values = values_.data() + panel.begin;
+  T inverses[width];
+  T below[width][width];  // the diagonal: of row and column
+  for (int t = 0; t < width; ++t) {
+    T* column = values + t * height;
+    const T pivot = column[t];
+    T& diagonal = inverse_pivot_[at(panel.first + t)];
+    if (pivot < least * diagonal) least = pivot / diagonal;
+    const T inverse = pivot > negligible * diagonal ? 1 / pivot : 0;
+    for (int u = t + 1; u < width; ++u) {
+      below[u][t] = column[u] * inverse;
+      for (int k = u; k < width; ++k) values[u * height + k] -= below[u][t] * column[k];
+    }
+    for (int u = t + 1; u < width; ++u) column[u] = below[u][t];
+    pivot_[at(panel.first + t)] = pivot;
+    inverses[t] = diagonal = inverse;
+  }
+  for (int k = width; k < height; ++k) {
+    T row[width];
+    for (int t = 0; t < width; ++t) {
+      row[t] = values[t * height + k];
+      for (int u = 0; u < t; ++u) row[t] -= below[t][u] * row[u];
+    }
+    for (int t = 0; t < width; ++t) values[t * height + k] = row[t] * inverses[t];
+  }
+  return least;
+}
+
+template float BlockMatrixOf<float>::factor();
+template double BlockMatrixOf<double>::factor();
+
+}  // namespace PROOFREEL_PRECISION
+}  // namespace proofreel

@@ -1,0 +1,14 @@
+#include "scenarios/formatted.h"
+
+#include <cstdio>
+
+namespace proofreel {
+
+std::string formatted(const char* format, double value) {
+  const int length = std::snprintf(nullptr, 0, format, value);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, value);
+  return text;
+}
+
+}  // namespace proofreel
