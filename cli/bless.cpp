@@ -1,7 +1,6 @@
 #include "golden/bless.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -33,17 +32,34 @@ void refuse_overrides(const std::vector<Override>& overrides) {
   throw UsageError("bless takes no --set: a reference must follow from the scenario's file alone. Change the file.");
 }
 
-void report(const BlessResult& result, bool quiet) {
-  if (!quiet) say_all(result.warnings);
-  for (const std::string& change : result.changes) std::cout << result.scenario << ": " << change << "\n";
-  if (result.changes.empty() && !quiet) std::cout << result.scenario << ": unchanged\n";
+/// What is about to be done.
+void announce(const BlessPlan& plan, bool quiet) {
+  if (!quiet) say_all(plan.warnings);
+  for (const std::string& change : plan.changes) std::cout << plan.scenario << ": " << change << "\n";
+  if (plan.changes.empty() && !quiet) std::cout << plan.scenario << ": unchanged\n";
   std::cout << std::flush;
-  const std::vector<std::string> failures = failures_of(result.scenario, result.expectations);
-  say_all(failures);
-  if (!failures.empty()) say(result.scenario + ": the references are written, but check will fail until this holds");
 }
 
-bool all_hold(const BlessResult& result) { return failures_of(result.scenario, result.expectations).empty(); }
+/// Whether all expectations hold; says which do not.
+bool expectations_hold(const BlessPlan& plan) {
+  const std::vector<std::string> failures = failures_of(plan.scenario, plan.expectations);
+  say_all(failures);
+  if (!failures.empty()) say(plan.scenario + ": the references are written, but check will fail until this holds");
+  return failures.empty();
+}
+
+/// References of scenarios that are gone: removed when asked for, else told about.
+void tidy_collection(const Options& options, const std::vector<std::string>& ids) {
+  for (const std::string& orphan : orphans_of(options.scenarios, options.golden, ids)) {
+    if (!options.prune) {
+      std::cout << orphan << ": no scenario asks for it any more; --prune removes it.\n";
+      continue;
+    }
+    const BlessPlan plan = plan_removal(*collection_store(options.scenarios, options.golden), orphan);
+    announce(plan, options.common.quiet);
+    plan.carry_out();
+  }
+}
 
 int bless(const Options& options) {
   refuse_in_ci();
@@ -51,12 +67,16 @@ int bless(const Options& options) {
   note_interrupts();
   Pictures pictures(gl_backend_named(options.common.gl));
   bool all_held = true;
+  std::vector<std::string> ids;
   for (const StoredScenario& scenario : scenarios_meant(options.scenarios, options.golden)) {
     stop_if_interrupted();
-    const BlessResult result = bless_scenario(scenario.file, {}, scenario.store, pictures, options.prune);
-    report(result, options.common.quiet);
-    all_held = all_held && all_hold(result);
+    const BlessPlan plan = plan_blessing(scenario.file, {}, scenario.store, pictures, options.prune);
+    announce(plan, options.common.quiet);
+    plan.carry_out();
+    all_held = expectations_hold(plan) && all_held;
+    ids.push_back(plan.scenario);
   }
+  tidy_collection(options, ids);
   return all_held ? 0 : 1;
 }
 

@@ -1,12 +1,14 @@
 #include <algorithm>
-#include <filesystem>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <thread>
 
 #include "cli/commands.h"
 #include "cli/golden_store.h"
+#include "cli/in_order.h"
 #include "cli/run_output.h"
-#include "cli/scenario_files.h"
 #include "golden/check.h"
 #include "render/usage_error.h"
 #ifdef PROOFREEL_PICTURES
@@ -22,6 +24,7 @@ struct Options {
   std::string golden;
   bool hash_only = false;
   bool json = false;
+  int jobs = 0;  ///< 0: as many as the machine has cores
 };
 
 /// All that was found out, and what could not be.
@@ -42,19 +45,15 @@ using CheckOne = std::function<CheckResult(const std::string& file, const Golden
 
 CheckOne by_hashes(const Options& options) {
   return [overrides = options.common.overrides()](const std::string& file, const GoldenStore& store) {
-    return check_scenario(file, overrides, store, {}, {});
+    return check_scenario(file, overrides, store, {});
   };
 }
 
 #ifdef PROOFREEL_PICTURES
 CheckOne by_pictures(const Options& options) {
   const auto pictures = std::make_shared<Pictures>(gl_backend_named(options.common.gl));
-  const auto draw = [pictures](const Scenario& s, const Frame& f) { return pictures->draw(s, f); };
-  return [pictures, draw, overrides = options.common.overrides()](const std::string& file, const GoldenStore& store) {
-    const auto judge_picture = [&](const Golden& golden, const GoldenFrame& then, const ObservedFrame& now) {
-      return pictures->judge(store, golden, then, now);
-    };
-    return check_scenario(file, overrides, store, draw, judge_picture);
+  return [pictures, overrides = options.common.overrides()](const std::string& file, const GoldenStore& store) {
+    return check_scenario(file, overrides, store, pictures->tools(store));
   };
 }
 #else
@@ -107,17 +106,6 @@ Json json_of(const Results& results) {
           {"errors", results.errors}};
 }
 
-/// References without a scenario are looked for when the whole collection (a folder called scenarios) was checked.
-std::vector<std::string> orphans_of(const Options& options, const std::vector<CheckResult>& checks) {
-  const std::string folder = options.scenarios.empty() ? scenarios_folder() : options.scenarios.front();
-  const std::filesystem::path path = std::filesystem::weakly_canonical(folder);
-  if (options.scenarios.size() > 1 || path.filename() != "scenarios") return {};
-  std::vector<std::string> ids;
-  for (const CheckResult& check : checks) ids.push_back(check.scenario);
-  std::sort(ids.begin(), ids.end());
-  return orphan_ids(store_for((path / "any").string(), options.golden), ids);
-}
-
 void report(const Options& options, const CheckResult& check) {
   if (!options.common.quiet) say_all(check.warnings);
   if (options.json || (options.common.quiet && check.passed())) return;
@@ -125,19 +113,60 @@ void report(const Options& options, const CheckResult& check) {
   say_all(failures_of(check.scenario, check.expectations));
 }
 
-int check(const Options& options) {
-  const CheckOne check_one = options.hash_only ? by_hashes(options) : by_pictures(options);
-  Results results;
-  for (const StoredScenario& scenario : scenarios_meant(options.scenarios, options.golden)) {
-    try {
-      results.checks.push_back(check_one(scenario.file, scenario.store));
-      report(options, results.checks.back());
-    } catch (const ScenarioError& error) {
-      say(error.what());
-      results.errors.push_back(error.what());
-    }
+/// What became of one scenario: judged, or why it cannot be run.
+struct Checked {
+  std::optional<CheckResult> result;
+  std::string error;
+};
+
+Checked checked(const CheckOne& check_one, const StoredScenario& scenario) {
+  try {
+    return {check_one(scenario.file, scenario.store), {}};
+  } catch (const ScenarioError& error) {
+    return {std::nullopt, error.what()};
   }
-  if (results.errors.empty()) results.orphans = orphans_of(options, results.checks);
+}
+
+int jobs_of(const Options& options) {
+  return options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Small pictures are drawn on the threads of the jobs alone, unless the user has decided: llvmpipe's own threads would
+/// only take turns with them. The pixels are the same for every number.
+void draw_on_jobs_alone(int jobs) {
+  if (jobs > 1) setenv("LP_NUM_THREADS", "0", 0);
+}
+
+/// Every job has pictures of its own, since a GL context belongs to one thread.
+Results check_all(const Options& options, const std::vector<StoredScenario>& scenarios) {
+  Results results;
+  InOrder<Checked> checks([&]() -> InOrder<Checked>::Worker {
+    return [&scenarios, check_one = options.hash_only ? by_hashes(options) : by_pictures(options)](std::size_t i) {
+      return checked(check_one, scenarios[i]);
+    };
+  });
+  checks.run(scenarios.size(), jobs_of(options), [&](Checked one) {
+    if (one.result) {
+      results.checks.push_back(std::move(*one.result));
+      report(options, results.checks.back());
+    } else {
+      say(one.error);
+      results.errors.push_back(one.error);
+    }
+  });
+  return results;
+}
+
+std::vector<std::string> ids_of(const std::vector<CheckResult>& checks) {
+  std::vector<std::string> ids;
+  for (const CheckResult& check : checks) ids.push_back(check.scenario);
+  return ids;
+}
+
+int check(const Options& options) {
+  draw_on_jobs_alone(jobs_of(options));
+  Results results = check_all(options, scenarios_meant(options.scenarios, options.golden));
+  if (results.errors.empty()) results.orphans = orphans_of(options.scenarios, options.golden, ids_of(results.checks));
   if (options.json)
     std::cout << json_text(json_of(results), 2) << "\n";
   else
@@ -155,7 +184,10 @@ Subcommand check_command(CLI::App& program) {
   app->add_option("--golden", options->golden, "The store, instead of the nearest folder `golden`")->type_name("DIR");
   app->add_flag("--hash-only", options->hash_only, "Compare states only, draw nothing");
   app->add_flag("--json", options->json, "Print one JSON object instead of text");
-  refuse_not_built(*app, {"--report", "--junit", "--shard", "--jobs"});
+  app->add_option("--jobs", options->jobs, "Scenarios checked side by side; as many as there are cores unless told")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  refuse_not_built(*app, {"--report", "--junit", "--shard"});
   return {app, [options] { return check(*options); }};
 }
 

@@ -1,9 +1,11 @@
 #include "cli/golden_store.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "cli/scenario_files.h"
+#include "golden/check.h"
 #include "render/usage_error.h"
 #include "scenarios/source.h"
 
@@ -29,6 +31,20 @@ std::vector<StoredScenario> scenarios_meant(const std::vector<std::string>& name
     }
   }
   return meant;
+}
+
+std::optional<GoldenStore> collection_store(const std::vector<std::string>& named, const std::string& given) {
+  const std::string folder = named.empty() ? scenarios_folder() : named.front();
+  const std::filesystem::path path = std::filesystem::weakly_canonical(folder);
+  if (named.size() > 1 || path.filename() != "scenarios") return std::nullopt;
+  return store_for((path / "any").string(), given);
+}
+
+std::vector<std::string> orphans_of(const std::vector<std::string>& named, const std::string& given,
+                                    std::vector<std::string> ids) {
+  std::sort(ids.begin(), ids.end());
+  const std::optional<GoldenStore> store = collection_store(named, given);
+  return store ? orphan_ids(*store, ids) : std::vector<std::string>{};
 }
 
 }  // namespace proofreel

@@ -1,6 +1,7 @@
 #include "golden/check.h"
 
 #include <algorithm>
+#include <map>
 
 namespace proofreel {
 namespace {
@@ -10,25 +11,6 @@ bool needs_second_run(const std::vector<Finding>& findings) {
     return finding.verdict == Verdict::physics || finding.verdict == Verdict::drawing ||
            finding.verdict == Verdict::both;
   });
-}
-
-Finding unsteady(std::optional<std::int64_t> frame, const char* what) {
-  std::string text("two runs just now differ in their ");
-  return {frame, Verdict::nondeterministic, text.append(what).append(", so no reference can hold."), {}};
-}
-
-/// What differs between two runs of the same scenario.
-std::vector<Finding> differences(const Observation& a, const Observation& b) {
-  std::vector<Finding> findings;
-  for (std::size_t i = 0; i < a.frames.size(); ++i) {
-    const ObservedFrame &first = a.frames[i], &second = b.frames[i];
-    if (first.trajectory_hash != second.trajectory_hash)
-      findings.push_back(unsteady(first.frame, "state"));
-    else if (first.image.rgba != second.image.rgba)
-      findings.push_back(unsteady(first.frame, "pixels"));
-  }
-  if (a.final_trajectory_hash != b.final_trajectory_hash) findings.push_back(unsteady(std::nullopt, "final state"));
-  return findings;
 }
 
 std::optional<Golden> load_or_note(const GoldenStore& store, const std::string& id, std::vector<Finding>& findings) {
@@ -47,16 +29,28 @@ void note_orphan_files(const GoldenStore& store, const Golden& golden, std::vect
   }
 }
 
-std::vector<Finding> findings_on(const GoldenStore& store, const Scenario& scenario, const Observation& now,
-                                 const JudgePicture& judge_picture) {
-  std::vector<Finding> findings;
-  const std::optional<Golden> golden = load_or_note(store, scenario.id, findings);
-  if (!findings.empty()) return findings;  // an unreadable golden.json says it all
-  if (!golden && !scenario.golden) return findings;
-  findings = judge(golden, now, judge_picture);
-  if (golden) note_orphan_files(store, *golden, findings);
-  return findings;
-}
+/// Judges pictures as they come, and lets go of those that pass, so that a thousand of them take no memory.
+class PictureJudge {
+ public:
+  PictureJudge(const std::optional<Golden>& golden, const JudgePicture& judge) : golden_(golden), judge_(judge) {}
+
+  void look(ObservedFrame& now) {
+    const GoldenFrame* then = golden_ ? find_frame(*golden_, now.frame) : nullptr;
+    if (then == nullptr || !judge_) return;
+    const Finding& finding = findings_[now.frame] = judge_(*golden_, *then, now);
+    if (passes(finding.verdict)) now.image.rgba = {};
+  }
+
+  JudgePicture judged() const {
+    if (!judge_) return {};
+    return [this](const Golden&, const GoldenFrame&, const ObservedFrame& now) { return findings_.at(now.frame); };
+  }
+
+ private:
+  const std::optional<Golden>& golden_;
+  const JudgePicture& judge_;
+  std::map<std::int64_t, Finding> findings_;
+};
 
 }  // namespace
 
@@ -66,15 +60,23 @@ bool CheckResult::passed() const {
 }
 
 CheckResult check_scenario(const std::string& path, const std::vector<Override>& overrides, const GoldenStore& store,
-                           const MakePicture& make_picture, const JudgePicture& judge_picture) {
+                           const PictureTools& tools) {
   const std::unique_ptr<Scenario> scenario = load_scenario(path, overrides);
-  const Observation now = observe(*scenario, make_picture);
-  CheckResult result{scenario->id, scenario->warnings, findings_on(store, *scenario, now, judge_picture),
-                     now.report.expectations};
-  if (!needs_second_run(result.findings)) return result;
-  const std::unique_ptr<Scenario> again = load_scenario(path, overrides);
-  std::vector<Finding> unsteady_findings = differences(now, observe(*again, make_picture));
-  if (!unsteady_findings.empty()) result.findings = std::move(unsteady_findings);
+  CheckResult result{scenario->id, {}, {}, {}};
+  const std::optional<Golden> golden = load_or_note(store, scenario->id, result.findings);
+  const bool unreadable = !result.findings.empty();
+  PictureJudge pictures(golden, tools.judge);
+  const auto look = [&pictures](const Scenario&, const Frame&, ObservedFrame& now) { pictures.look(now); };
+  const Observation now = observe(*scenario, {tools.make, look, nullptr});
+  result.warnings = scenario->warnings;
+  result.expectations = now.report.expectations;
+  if (unreadable || (!golden && !scenario->golden)) return result;
+  result.findings = judge(golden, now, pictures.judged());
+  if (needs_second_run(result.findings)) {
+    const std::unique_ptr<Scenario> again = load_scenario(path, overrides);
+    result.findings = findings_of_second_run(*again, store, *golden, tools, now, std::move(result.findings));
+  }
+  if (golden) note_orphan_files(store, *golden, result.findings);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge.h"
+#include "golden/second_look.h"
 
 namespace proofreel {
 
@@ -17,10 +17,10 @@ struct CheckResult {
 };
 
 /// Runs the scenario file and judges it. A scenario without `golden` that was never blessed is only asked for its
-/// expectations. When something differs the scenario is run once more: if today's two runs differ, that is the finding.
-/// Throws ScenarioError, and EnvironmentError when it draws.
+/// expectations. When something differs the scenario is run once more, to find out why; if today's two runs differ,
+/// that is the finding. Throws ScenarioError, and EnvironmentError when it draws.
 CheckResult check_scenario(const std::string& path, const std::vector<Override>& overrides, const GoldenStore& store,
-                           const MakePicture& make_picture, const JudgePicture& judge_picture);
+                           const PictureTools& tools);
 
 /// The ids of a store that are not among `scenarios` (sorted).
 std::vector<std::string> orphan_ids(const GoldenStore& store, const std::vector<std::string>& scenarios);

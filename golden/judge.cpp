@@ -1,73 +1,11 @@
 #include "golden/judge.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+
+#include "golden/words.h"
 
 namespace proofreel {
 namespace {
-
-/// What differs between two states, worst first.
-struct Movement {
-  std::string worst;  ///< the body that moved most, as users know it
-  double distance = 0;
-  double turn = 0;
-  int moved = 0;     ///< bodies whose pose differs
-  int appeared = 0;  ///< bodies only there now
-  int gone = 0;      ///< bodies only there then
-};
-
-std::string title_of(const BodyPose& body) {
-  const std::string number = std::to_string(body.id);
-  return body.name.empty() ? std::string("body ").append(number)
-                           : std::string("\"").append(body.name).append("\" (body ").append(number).append(")");
-}
-
-void note(Movement& movement, const BodyPose& then, const BodyPose& now) {
-  const double dx = now.x - then.x, dy = now.y - then.y;
-  const double distance = std::sqrt(dx * dx + dy * dy), turn = std::fabs(now.angle - then.angle);
-  if (distance == 0 && turn == 0) return;
-  ++movement.moved;
-  if (!movement.worst.empty() && distance <= movement.distance) return;
-  movement.worst = title_of(now);
-  movement.distance = distance;
-  movement.turn = turn;
-}
-
-/// Both lists are in order of id.
-Movement movement_between(const std::vector<BodyPose>& then, const std::vector<BodyPose>& now) {
-  Movement movement;
-  auto a = then.begin(), b = now.begin();
-  while (a != then.end() || b != now.end()) {
-    if (b == now.end() || (a != then.end() && a->id < b->id)) {
-      ++movement.gone, ++a;
-    } else if (a == then.end() || b->id < a->id) {
-      ++movement.appeared, ++b;
-    } else {
-      note(movement, *a++, *b++);
-    }
-  }
-  return movement;
-}
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string sentence_about(const Movement& movement) {
-  std::string text;
-  if (movement.moved > 0) {
-    text.append("; ").append(movement.worst).append(" is ").append(number(movement.distance));
-    text.append(" m and ").append(number(movement.turn)).append(" rad away");
-    if (movement.moved > 1) text.append(", the most of ").append(std::to_string(movement.moved)).append(" bodies");
-  }
-  if (movement.appeared > 0) text.append("; ").append(std::to_string(movement.appeared)).append(" bodies are new");
-  if (movement.gone > 0) text.append("; ").append(std::to_string(movement.gone)).append(" bodies are gone");
-  if (text.empty()) text = "; no body stands elsewhere, so it is velocities or the way there that differ";
-  return text;
-}
 
 std::string hashes(const std::string& then, const std::string& now) {
   return std::string("trajectory hash ").append(now).append(", golden ").append(then);
@@ -77,23 +15,22 @@ Finding missing(std::optional<std::int64_t> frame, const char* what) {
   return {frame, Verdict::missing, std::string(what).append("; look at it and run bless."), {}};
 }
 
-/// Joins what the state and what the picture say about one frame whose state differs.
-Finding physics(const GoldenFrame& then, const ObservedFrame& now, const Finding& picture,
-                std::optional<std::int64_t> last_equal) {
-  std::string text("the state differs");
-  if (last_equal) text.append(" since frame ").append(std::to_string(*last_equal));
-  text.append(" (").append(hashes(then.trajectory_hash, now.trajectory_hash)).append(")");
-  text.append(sentence_about(movement_between(then.bodies, now.bodies)));
-  if (!picture.message.empty()) text.append("; in the picture ").append(picture.message);
-  if (text.back() != '.') text.append(".");
-  return {now.frame, Verdict::physics, std::move(text), picture.comparison};
+/// The golden frame that shows the state of this one, when it is another: frames have changed places.
+std::string whose_state(const Golden& golden, const ObservedFrame& now) {
+  const auto is_its = [&now](const GoldenFrame& frame) { return frame.trajectory_hash == now.trajectory_hash; };
+  const auto found = std::find_if(golden.frames.begin(), golden.frames.end(), is_its);
+  if (found == golden.frames.end()) return "";
+  return words({"its state is that of golden frame ", std::to_string(found->frame), "; "});
 }
 
-const GoldenFrame* find(const Golden& golden, std::int64_t frame) {
-  for (const GoldenFrame& candidate : golden.frames) {
-    if (candidate.frame == frame) return &candidate;
-  }
-  return nullptr;
+/// What is said of one frame whose state differs, and of its picture.
+Finding physics(const Golden& golden, const GoldenFrame& then, const ObservedFrame& now, const Finding& picture) {
+  BodyNames names;
+  names.add(now.bodies);
+  names.add(then.bodies);
+  std::string text = words({whose_state(golden, now), sentence_about(change_between(then, now), names), "."});
+  if (picture.comparison.different == 0 && now.image.width_px > 0) text.append(" The picture is the same.");
+  return {now.frame, Verdict::physics, std::move(text), picture.comparison};
 }
 
 /// Pixels that differ where the state is equal prove that the drawing changed; then it is part of every frame that
@@ -154,13 +91,19 @@ const char* name_of(Verdict verdict) {
   return "";
 }
 
+const GoldenFrame* find_frame(const Golden& golden, std::int64_t frame) {
+  for (const GoldenFrame& candidate : golden.frames) {
+    if (candidate.frame == frame) return &candidate;
+  }
+  return nullptr;
+}
+
 std::vector<Finding> judge(const std::optional<Golden>& golden, const Observation& now,
                            const JudgePicture& judge_picture) {
   std::vector<Finding> findings;
   if (golden) findings = orphans_in(*golden, now);
-  std::optional<std::int64_t> last_equal;
   for (const ObservedFrame& frame : now.frames) {
-    const GoldenFrame* then = golden ? find(*golden, frame.frame) : nullptr;
+    const GoldenFrame* then = golden ? find_frame(*golden, frame.frame) : nullptr;
     if (then == nullptr) {
       findings.push_back(missing(frame.frame, "there is no reference for this frame"));
       continue;
@@ -168,8 +111,7 @@ std::vector<Finding> judge(const std::optional<Golden>& golden, const Observatio
     Finding finding = judge_picture ? judge_picture(*golden, *then, frame) : Finding{frame.frame, {}, {}, {}};
     const bool same_state = then->trajectory_hash == frame.trajectory_hash;
     const bool comparable = finding.verdict != Verdict::missing && finding.verdict != Verdict::size;
-    if (same_state) last_equal = frame.frame;
-    if (!same_state && comparable) finding = physics(*then, frame, finding, last_equal);
+    if (!same_state && comparable) finding = physics(*golden, *then, frame, finding);
     findings.push_back(std::move(finding));
   }
   blame_drawing_too(findings);

@@ -10,6 +10,7 @@
 #include "golden/compare.h"
 #include "golden/observe.h"
 #include "golden/store.h"
+#include "golden/why.h"
 
 namespace proofreel {
 
@@ -31,8 +32,10 @@ inline bool passes(Verdict verdict) { return verdict == Verdict::exact || verdic
 struct Finding {
   std::optional<std::int64_t> frame;  ///< nothing: the final tick, or a file
   Verdict verdict = Verdict::exact;
-  std::string message;    ///< a sentence with the figures; empty when exact
-  Comparison comparison;  ///< filled where pixels were compared
+  std::string message;                                    ///< a sentence with the figures; empty when exact
+  Comparison comparison;                                  ///< filled where pixels were compared
+  std::optional<std::int64_t> since_tick = std::nullopt;  ///< the first whose state differs, where that is known
+  std::vector<Cause> causes = {};                         ///< of the pixels that differ
 };
 
 /// How the picture of one frame compares with its reference: exact, tolerated, drawing, size or missing. An empty
@@ -42,5 +45,8 @@ using JudgePicture = std::function<Finding(const Golden&, const GoldenFrame&, co
 /// One finding per golden frame and one for the final tick. Without a golden, all are missing.
 std::vector<Finding> judge(const std::optional<Golden>& golden, const Observation& now,
                            const JudgePicture& judge_picture);
+
+/// The reference of a frame, or null.
+const GoldenFrame* find_frame(const Golden& golden, std::int64_t frame);
 
 }  // namespace proofreel

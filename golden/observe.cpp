@@ -27,34 +27,83 @@ std::vector<BodyPose> poses_of(const Scenario& scenario, const Snapshot& snapsho
   std::vector<BodyPose> poses;
   for (const BodyView& body : snapshot.bodies) {
     const auto id = static_cast<std::uint32_t>(body.id);
-    const bool named = id >= 1 && id <= scenario.scene.bodies.size();
-    poses.push_back({id, named ? scenario.scene.bodies[id - 1].name : std::string(), body.state.position.x,
+    const bool named = id >= 1 && id <= scenario.body_names.size();
+    poses.push_back({id, named ? scenario.body_names[id - 1] : std::string(), body.state.position.x,
                      body.state.position.y, body.state.angle});
   }
   return poses;
 }
 
-ObservedFrame look_at(const Scenario& scenario, const Runner& runner, std::int64_t index,
-                      const MakePicture& make_picture) {
-  const Frame frame = runner.frame(index);
-  Image image = make_picture ? make_picture(scenario, frame) : Image{};
-  return {index, hex(runner.trajectory_hash()), std::move(image), poses_of(scenario, frame.snapshot)};
+bool touches(const ContactView& contact) {
+  return std::any_of(contact.points, contact.points + contact.point_count,
+                     [](const ContactPoint& point) { return point.touching(); });
 }
+
+std::vector<Touch> touching_in(const Snapshot& snapshot) {
+  std::vector<Touch> touching;
+  for (const ContactView& contact : snapshot.contacts) {
+    const auto a = static_cast<std::uint32_t>(contact.a), b = static_cast<std::uint32_t>(contact.b);
+    if (touches(contact)) touching.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
+/// A run that is watched.
+class Watched {
+ public:
+  Watched(Scenario& scenario, const Watch& watch) : scenario_(scenario), watch_(watch), runner_(scenario) { look(); }
+
+  void step_to(std::int64_t tick) {
+    while (runner_.tick() < tick) {
+      runner_.step();
+      look();
+    }
+  }
+
+  ObservedFrame frame(std::int64_t index) const {
+    const Frame frame = runner_.frame(index);
+    DrawnPicture picture = watch_.make_picture ? watch_.make_picture(scenario_, frame) : DrawnPicture{};
+    ObservedFrame observed{index,
+                           hex(runner_.trajectory_hash()),
+                           std::move(picture.image),
+                           poses_of(scenario_, frame.snapshot),
+                           std::move(picture.hash),
+                           touching_in(frame.snapshot)};
+    if (watch_.at_frame) watch_.at_frame(scenario_, frame, observed);
+    return observed;
+  }
+
+  RunReport finish() {
+    return runner_.finish([this] { look(); });
+  }
+
+ private:
+  void look() {
+    if (watch_.ticks == nullptr) return;
+    watch_.ticks->record(runner_.simulation(), scenario_.body_names.size(), runner_.trajectory_hash());
+  }
+
+  Scenario& scenario_;
+  const Watch& watch_;
+  Runner runner_;
+};
 
 }  // namespace
 
-Observation observe(Scenario& scenario, const MakePicture& make_picture) {
+Observation observe(Scenario& scenario, const Watch& watch) {
   Observation observation;
   const std::vector<std::int64_t> frames = wanted_frames(scenario);
   std::vector<std::int64_t> timeline;
   if (!frames.empty()) timeline = film_timeline(scenario);
   check_frames(scenario, frames, timeline.size());
-  Runner runner(scenario);
+  Watched run(scenario, watch);
   for (const std::int64_t index : frames) {
-    while (runner.tick() < timeline[static_cast<std::size_t>(index)]) runner.step();
-    observation.frames.push_back(look_at(scenario, runner, index, make_picture));
+    run.step_to(timeline[static_cast<std::size_t>(index)]);
+    observation.frames.push_back(run.frame(index));
   }
-  observation.report = runner.finish();
+  observation.report = run.finish();
   observation.final_trajectory_hash = hex(observation.report.trajectory_hash);
   return observation;
 }

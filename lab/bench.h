@@ -15,7 +15,8 @@ void bench_effects();
 void bench_engine();
 /// From the command to the first picture.
 void bench_first();
-/// Comparing two long pages, beside decoding one of them; and what a golden frame that passes costs.
+/// Comparing two long pages, beside decoding one of them; what a golden frame that passes costs; and checking a
+/// thousand.
 void bench_golden();
 /// Distances and times of impact of two polygons, beside Box2D.
 void bench_gjk();

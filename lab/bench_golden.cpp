@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "golden/bless.h"
 #include "golden/compare.h"
 #include "golden/difference.h"
 #include "golden/hex.h"
@@ -8,6 +9,7 @@
 #include "lab/bench.h"
 #include "lab/bench_process.h"
 #include "lab/page_picture.h"
+#include "render/output_file.h"
 #include "render/pixel_hash.h"
 #include "render/png.h"
 #include "scenarios/runner.h"
@@ -16,7 +18,8 @@ namespace proofreel {
 namespace {
 
 constexpr int rounds = 9, page_width_px = 3446, page_height_px = 10728;
-constexpr double target_ratio = 1.3, target_frame_ms = 0.3;
+constexpr double target_ratio = 1.3, target_frame_ms = 0.3, target_check_s = 15;
+constexpr int checked_scenarios = 10, frames_each = 100;
 
 double milliseconds(const Cost& cost) { return 1e3 * cost.wall_s; }
 
@@ -84,10 +87,11 @@ class PassingFrame {
     scenario_->golden->size = {1280, 720};
     const Runner runner(*scenario_);
     trajectory_hash_ = runner.trajectory_hash();
-    now_ = {0, hex(trajectory_hash_), pictures_.draw(*scenario_, runner.frame(0)), {}};
+    DrawnPicture picture = pictures_.draw(*scenario_, runner.frame(0));
+    now_ = {0, hex(trajectory_hash_), std::move(picture.image), {}, std::move(picture.hash)};
     golden_.scenario = "passing";
     golden_.size = {1280, 720};
-    then_ = {0, now_.trajectory_hash, pixel_hash(now_.image), "frame.png", "", {}};
+    then_ = {0, now_.trajectory_hash, now_.pixel_hash, "frame.png", "", {}};
     const std::vector<std::uint8_t> bytes = encode_png(now_.image);
     then_.file_hash = bytes_hash(bytes);
     std::filesystem::create_directories(store_.folder("passing"));
@@ -95,7 +99,7 @@ class PassingFrame {
   }
 
   bool passes() const {
-    return hex(trajectory_hash_) == then_.trajectory_hash &&
+    return hex(trajectory_hash_) == then_.trajectory_hash && pixel_hash(now_.image) == now_.pixel_hash &&
            pictures_.judge(store_, golden_, then_, now_).verdict == Verdict::exact;
   }
 
@@ -124,11 +128,52 @@ void bench_passing_frame() {
   std::printf("  decoding its reference would take %.1f ms\n", frame.decode_ms());
 }
 
+/// Sixty bodies of all shapes that fall into a heap, every sixth frame of ten seconds golden.
+std::string heap(int seed) {
+  std::string frames;
+  for (int i = 0; i < frames_each; ++i) frames += std::to_string(6 * i) + ",";
+  std::string lua = "scenario { duration = 10, view = { center = {0, 4}, height = 9 },\n";
+  lua +=
+      "           seed = " + std::to_string(seed) + ", golden = { frames = {" + frames + "}, size = {480, 270} } }\n";
+  return lua + R"(
+    local shapes = { circle { radius = 0.25 }, box { width = 0.5, height = 0.4 }, regular { sides = 5, radius = 0.3 } }
+    ground { y = 0 }
+    for i = 1, 60 do
+      body { at = { 6 * math.random() - 3, 1 + 0.3 * i }, shape = shapes[1 + i % 3] }
+    end
+  )";
+}
+
+/// A folder of scenarios, blessed.
+void write_heaps(const std::string& folder, const GoldenStore& store) {
+  Pictures pictures(std::nullopt);
+  for (int seed = 1; seed <= checked_scenarios; ++seed) {
+    const std::string path = folder + "heap_" + std::to_string(seed) + ".lua";
+    write_file(path, heap(seed));
+    plan_blessing(path, {}, store, pictures, false).carry_out();
+  }
+}
+
+/// Stepping, drawing and judging a thousand golden frames, as CI does.
+void bench_check() {
+  const TemporaryFolder folder;
+  const std::string scenarios = folder / "", store = folder / "golden";
+  write_heaps(scenarios, GoldenStore(store));
+  std::printf(
+      "  %d golden frames of 480x270, in %d scenarios, stepped, drawn and judged (target %.0f s on two cores):\n",
+      checked_scenarios * frames_each, checked_scenarios, target_check_s);
+  for (const char* jobs : {"1", "2"}) {
+    const Cost cost = cost_of_program({"check", scenarios, "--golden", store, "--jobs", jobs, "--quiet"});
+    std::printf("    --jobs %s: %.1f s wall, %.1f s CPU\n", jobs, cost.wall_s, cost.cpu_s);
+  }
+}
+
 }  // namespace
 
 void bench_golden() {
   bench_pages();
   bench_passing_frame();
+  bench_check();
 }
 
 }  // namespace proofreel

@@ -33,11 +33,17 @@ Ink ink_of(const Paint& paint) {
 
 bool invisible(const Ink& ink) { return ink.fill.a == 0 && (ink.outline_px <= 0 || ink.outline.a == 0); }
 
-void put_color(float* at, Color color, double strength) {
+void put_premultiplied(float* at, Color color, double strength) {
   const double alpha = color.a / 255.0 * strength;
   at[0] = static_cast<float>(color.r / 255.0 * alpha);
   at[1] = static_cast<float>(color.g / 255.0 * alpha);
   at[2] = static_cast<float>(color.b / 255.0 * alpha);
+  at[3] = static_cast<float>(alpha);
+}
+
+/// The bytes of a number in the place of red, green and blue.
+void put_number(float* at, std::uint32_t number, double alpha) {
+  for (unsigned i = 0; i < 3; ++i) at[i] = static_cast<float>((number >> (8 * i)) & 255U) / 255.0F;
   at[3] = static_cast<float>(alpha);
 }
 
@@ -48,18 +54,6 @@ void put(float* at, Vec2d v) {
 
 template <std::size_t vectors>
 using Instance = std::array<float, 4 * vectors>;
-
-/// The four vectors all kinds begin with.
-void put_common(float* at, const Quad& quad, double radius, const Ink& ink) {
-  put(at, quad.center);
-  put(at + 2, quad.axis);
-  at[4] = static_cast<float>(quad.half_x);
-  at[5] = static_cast<float>(quad.half_y);
-  at[6] = ink.outline_px > 0 ? static_cast<float>(ink.outline_px) : -1e9F;
-  at[7] = static_cast<float>(radius);
-  put_color(at + 8, ink.fill, ink.strength);
-  put_color(at + 12, ink.outline, ink.strength);
-}
 
 Quad grown(Quad quad, double by) {
   quad.half_x += by;
@@ -89,6 +83,8 @@ struct Canvas::Impl {
   FontAtlas atlas;
   BatchList batches;
   Color background{0, 0, 0, 255};
+  DrawMode mode = DrawMode::colors;
+  std::uint32_t owner = 0;
 
   Impl(GlContext& context, int width_px, int height_px)
       : gpu(context, width_px, height_px), batches(width_px, height_px) {}
@@ -111,6 +107,8 @@ struct Canvas::Impl {
     return true;
   }
 
+  void put_color(float* at, Color color, double strength) const;
+  void put_common(float* at, const Quad& quad, double radius, const Ink& ink) const;
   void add_box(const Quad& box, double radius, const Ink& ink);
   void add_box_part(const Quad& box, double radius, const Ink& ink, const Quad& part);
   void add_frame(const Aabbd& box, const Ink& ink);
@@ -124,6 +122,23 @@ struct Canvas::Impl {
   void add_stroke_segment(Vec2d a, Vec2d b, Vec2d joint_a, Vec2d joint_b, double width, Color from, Color to);
   void add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color color);
 };
+
+void Canvas::Impl::put_color(float* at, Color color, double strength) const {
+  if (mode == DrawMode::owners) return put_number(at, owner, color.a / 255.0 * strength);
+  put_premultiplied(at, color, strength);
+}
+
+/// The four vectors all kinds begin with.
+void Canvas::Impl::put_common(float* at, const Quad& quad, double radius, const Ink& ink) const {
+  put(at, quad.center);
+  put(at + 2, quad.axis);
+  at[4] = static_cast<float>(quad.half_x);
+  at[5] = static_cast<float>(quad.half_y);
+  at[6] = ink.outline_px > 0 ? static_cast<float>(ink.outline_px) : -1e9F;
+  at[7] = static_cast<float>(radius);
+  put_color(at + 8, ink.fill, ink.strength);
+  put_color(at + 12, ink.outline, ink.strength);
+}
 
 void Canvas::Impl::add_box(const Quad& box, double radius, const Ink& ink) {
   Quad part;
@@ -276,7 +291,16 @@ int Canvas::height_px() const { return impl_->gpu.height_px(); }
 void Canvas::clear(Color background) {
   impl_->batches.clear();
   impl_->background = background;
+  impl_->mode = DrawMode::colors;
 }
+
+void Canvas::clear_for_owners() {
+  clear({0, 0, 0, 255});
+  impl_->mode = DrawMode::owners;
+  impl_->owner = 0;
+}
+
+void Canvas::own(std::uint32_t owner) { impl_->owner = owner; }
 
 void Canvas::disc(Vec2d center, double radius, const Paint& paint) {
   Ink ink = ink_of(paint);
@@ -369,7 +393,9 @@ double Canvas::text_width(std::string_view utf8, int size_px) {
   return static_cast<double>(impl_->font.layout(utf8, size_px).width) / pen_per_pixel;
 }
 
-void Canvas::finish(Image& image) { impl_->gpu.draw(impl_->background, impl_->batches.batches(), impl_->atlas, image); }
+void Canvas::finish(Image& image) {
+  impl_->gpu.draw(impl_->mode, impl_->background, impl_->batches.batches(), impl_->atlas, image);
+}
 
 Color mixed(Color a, Color b, double part) {
   const auto channel = [part](std::uint8_t from, std::uint8_t to) {

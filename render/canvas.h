@@ -47,6 +47,11 @@ class Canvas {
   int height_px() const;
 
   void clear(Color background);
+  /// Starts a picture of owners instead: every pixel that a mark colours, however faintly, becomes the number of the
+  /// mark's owner (red is the lowest byte), that of the topmost; the rest 0. Without smoothing or blending.
+  void clear_for_owners();
+  /// The owner of what is asked for from now on, 0 to 2^24 - 1; matters to a picture of owners only.
+  void own(std::uint32_t owner);
   void disc(Vec2d center, double radius, const Paint& paint);
   /// The convex hull of `corners` (3 to max_polygon_vertices, either orientation) rounded outward by `radius`.
   void polygon(std::span<const Vec2d> corners, double radius, const Paint& paint);

@@ -25,9 +25,9 @@ GLuint compile(const Gl& gl, GLenum stage, const std::string& source) {
   return shader;
 }
 
-GLuint link(const Gl& gl, ShapeKind kind) {
+GLuint link(const Gl& gl, ShapeKind kind, DrawMode mode) {
   const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_source(kind));
-  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source(kind));
+  const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source(kind, mode));
   const GLuint program = gl.CreateProgram();
   gl.AttachShader(program, vertex);
   gl.AttachShader(program, fragment);
@@ -59,12 +59,7 @@ CanvasGpu::CanvasGpu(GlContext& context, int width_px, int height_px)
       width_px_(width_px),
       height_px_(height_px),
       target_(gl_, width_px, height_px) {
-  for (std::size_t i = 0; i < shape_kind_count; ++i) {
-    programs_[i] = link(gl_, static_cast<ShapeKind>(i));
-    gl_.UseProgram(programs_[i]);
-    gl_.Uniform2f(gl_.GetUniformLocation(programs_[i], "to_clip"), 2.0F / static_cast<float>(width_px),
-                  2.0F / static_cast<float>(height_px));
-  }
+  for (std::size_t i = 0; i < shape_kind_count; ++i) program_for(static_cast<ShapeKind>(i), DrawMode::colors);
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.GenBuffers(1, &instances_);
   gl_.GenTextures(1, &atlas_);
@@ -75,24 +70,26 @@ CanvasGpu::CanvasGpu(GlContext& context, int width_px, int height_px)
 
 CanvasGpu::~CanvasGpu() {
   context_.make_current();
-  for (const GLuint program : programs_) gl_.DeleteProgram(program);
+  for (const auto& programs : programs_) {
+    for (const GLuint program : programs) gl_.DeleteProgram(program);
+  }
   gl_.DeleteVertexArrays(1, &vertex_array_);
   gl_.DeleteBuffers(1, &instances_);
   gl_.DeleteTextures(1, &atlas_);
 }
 
-void CanvasGpu::draw(Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
+void CanvasGpu::draw(DrawMode mode, Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
   context_.make_current();
   target_.bind();
   gl_.ClearColor(part(background.r), part(background.g), part(background.b), part(background.a));
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.BlendFunc(GL_ONE, mode == DrawMode::colors ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
   upload(batches);
   upload(atlas);
   std::size_t first_float = 0;
   for (const Batch& batch : batches) {
-    draw_batch(batch, first_float);
+    draw_batch(batch, program_for(batch.kind, mode), first_float);
     first_float += batch.values.size();
   }
   image.width_px = width_px_;
@@ -120,7 +117,17 @@ void CanvasGpu::upload(FontAtlas& atlas) {
                  atlas.coverage().data());
 }
 
-void CanvasGpu::draw_batch(const Batch& batch, std::size_t first_float) {
+GLuint CanvasGpu::program_for(ShapeKind kind, DrawMode mode) {
+  GLuint& program = programs_[static_cast<std::size_t>(mode)][static_cast<std::size_t>(kind)];
+  if (program != 0) return program;
+  program = link(gl_, kind, mode);
+  gl_.UseProgram(program);
+  gl_.Uniform2f(gl_.GetUniformLocation(program, "to_clip"), 2.0F / static_cast<float>(width_px_),
+                2.0F / static_cast<float>(height_px_));
+  return program;
+}
+
+void CanvasGpu::draw_batch(const Batch& batch, GLuint program, std::size_t first_float) {
   const std::size_t vectors = vectors_per_instance(batch.kind);
   const auto stride = static_cast<GLsizei>(vectors * 4 * sizeof(float));
   for (std::size_t i = 0; i < vectors; ++i) {
@@ -133,7 +140,7 @@ void CanvasGpu::draw_batch(const Batch& batch, std::size_t first_float) {
     const std::uintptr_t offset = (first_float + i * 4) * sizeof(float);
     gl_.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
   }
-  gl_.UseProgram(programs_[static_cast<std::size_t>(batch.kind)]);
+  gl_.UseProgram(program);
   gl_.DrawArraysInstanced(GL_TRIANGLES, 0, vertices_per_quad,
                           static_cast<GLsizei>(batch.values.size() / (4 * vectors)));
 }

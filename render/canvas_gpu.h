@@ -22,19 +22,21 @@ class CanvasGpu {
   int height_px() const { return height_px_; }
 
   /// Draws the batches over the background and reads the result.
-  void draw(Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image);
+  void draw(DrawMode mode, Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image);
 
  private:
   void upload(std::span<const Batch> batches);
   void upload(FontAtlas& atlas);
-  void draw_batch(const Batch& batch, std::size_t first_float);
+  void draw_batch(const Batch& batch, GLuint program, std::size_t first_float);
+  GLuint program_for(ShapeKind kind, DrawMode mode);
 
   GlContext& context_;
   Gl gl_;
   int width_px_;
   int height_px_;
   RenderTarget target_;
-  std::array<GLuint, shape_kind_count> programs_{};
+  std::array<std::array<GLuint, shape_kind_count>, draw_mode_count>
+      programs_{};  // those for owners once they are asked for
   GLuint vertex_array_ = 0;
   GLuint instances_ = 0;
   GLuint atlas_ = 0;

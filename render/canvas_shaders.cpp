@@ -101,6 +101,16 @@ void main() {
 }
 )";
 
+/// What a shape covers at all is its owner's.
+const char* const owners_main = R"(
+#undef main
+void main() {
+  shade();
+  if (color.a <= 0.0) discard;
+  number = vec4(v2.xyz, 1.0);
+}
+)";
+
 std::string main_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::box:
@@ -144,10 +154,11 @@ void main() {
          "}\n";
 }
 
-std::string fragment_source(ShapeKind kind) {
+std::string fragment_source(ShapeKind kind, DrawMode mode) {
   std::string text = header;
   for (std::size_t i = 0; i < vectors_per_instance(kind); ++i) text += "flat in vec4 v" + std::to_string(i) + ";\n";
-  return text + "out vec4 color;\n" + main_of(kind);
+  if (mode == DrawMode::colors) return text + "out vec4 color;\n" + main_of(kind);
+  return text + "out vec4 number;\nvec4 color;\n#define main shade\n" + main_of(kind) + owners_main;
 }
 
 }  // namespace proofreel

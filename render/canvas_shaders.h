@@ -35,7 +35,12 @@ std::size_t vectors_per_instance(ShapeKind kind);
 /// past it. Six are rounded up to eight either way.
 inline constexpr int vertices_per_quad = 6;
 
+/// What is painted: colours blended over each other, or bare the number of the topmost mark's owner.
+enum class DrawMode : unsigned char { colors, owners };
+inline constexpr std::size_t draw_mode_count = 2;
+
 std::string vertex_source(ShapeKind kind);
-std::string fragment_source(ShapeKind kind);
+/// In the mode `owners` fill and outline hold the number where colours have red, green and blue.
+std::string fragment_source(ShapeKind kind, DrawMode mode);
 
 }  // namespace proofreel

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <mutex>
 
 #include "render/context_backends.h"
 #include "render/gl.h"
@@ -16,10 +17,14 @@ std::string text_of(const Gl& gl, GLenum what) {
   return text == nullptr ? std::string("(nothing)") : std::string(reinterpret_cast<const char*>(text));
 }
 
-/// Both backends read these when they are loaded. Only llvmpipe draws the bytes the golden pictures were made of.
+/// Both backends read these when they are loaded. Only llvmpipe draws the bytes the golden pictures were made of. Done
+/// once: while one thread makes a context, another may already draw, and Mesa reads the environment as it likes.
 void force_llvmpipe() {
-  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  static std::once_flag done;
+  std::call_once(done, [] {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  });
 }
 
 void require_version(const Gl& gl) {

@@ -7,12 +7,17 @@
 namespace proofreel {
 
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image) {
-  const Stage stage{canvas, frame, palette_of(style.theme), Camera(frame.view, canvas.width_px(), canvas.height_px()),
-                    sizes_of(canvas.height_px())};
+  canvas.clear(palette_of(style.theme).background);
+  draw_layers(canvas, frame, style, nullptr);
+  canvas.finish(image);
+}
+
+void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
+  const Camera camera(frame.view, canvas.width_px(), canvas.height_px());
+  const Stage stage{canvas, frame, palette_of(style.theme), camera, sizes_of(canvas.height_px()), marks};
   const auto shows = [&style](Layer layer) {
     return std::find(style.layers.begin(), style.layers.end(), layer) != style.layers.end();
   };
-  canvas.clear(stage.palette.background);
   if (shows(Layer::grid)) draw_grid(stage);
   draw_water(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, true);
@@ -31,7 +36,6 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
   draw_plots(stage, cards);
   if (shows(Layer::grid)) draw_grid_numbers(stage, cards);
   if (shows(Layer::labels)) draw_labels(stage, cards);
-  canvas.finish(image);
 }
 
 }  // namespace proofreel

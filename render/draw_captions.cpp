@@ -59,7 +59,10 @@ void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) 
 }  // namespace
 
 void draw_captions(const Stage& stage, Cards& cards) {
-  for (const CaptionView& caption : stage.frame.captions) draw_caption(stage, cards, caption);
+  for (const CaptionView& caption : stage.frame.captions) {
+    stage.own(OwnerKind::caption, caption.text);
+    draw_caption(stage, cards, caption);
+  }
 }
 
 }  // namespace proofreel

@@ -8,6 +8,8 @@
 #include "engine/aabb.h"
 #include "render/camera.h"
 #include "render/canvas.h"
+#include "render/draw.h"
+#include "render/owner.h"
 #include "render/theme.h"
 #include "scenarios/frame.h"
 
@@ -20,12 +22,30 @@ struct Stage {
   const Palette& palette;
   Camera camera;
   Sizes sizes;
+  std::vector<Owner>* marks = nullptr;  ///< by number; null when nobody asks whose pixels are
 
   Aabbd picture() const {
     return {{0, 0}, {static_cast<double>(canvas.width_px()), static_cast<double>(canvas.height_px())}};
   }
   Aabbd safe_area() const { return expanded(picture(), -sizes.margin); }
+
+  /// What is drawn from now on belongs to this owner.
+  void own(OwnerKind kind, BodyId a = {}, BodyId b = {}) const {
+    if (marks != nullptr) add_mark({kind, static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), {}});
+  }
+  void own(OwnerKind kind, const std::string& text, BodyId a = {}) const {
+    if (marks != nullptr) add_mark({kind, static_cast<std::uint32_t>(a), 0, text});
+  }
+
+ private:
+  void add_mark(Owner owner) const {
+    canvas.own(static_cast<std::uint32_t>(marks->size()));
+    marks->push_back(std::move(owner));
+  }
 };
+
+/// All layers, in their order, without the background.
+void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks);
 
 /// Where things written on the picture lie, in pixels, so that none covers another.
 class Cards {

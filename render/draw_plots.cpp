@@ -234,7 +234,10 @@ void draw_plot(const Stage& stage, Cards& cards, const PlotView& plot) {
 }  // namespace
 
 void draw_plots(const Stage& stage, Cards& cards) {
-  for (const PlotView& plot : stage.frame.plots) draw_plot(stage, cards, plot);
+  for (const PlotView& plot : stage.frame.plots) {
+    stage.own(OwnerKind::plot, plot.title);
+    draw_plot(stage, cards, plot);
+  }
 }
 
 }  // namespace proofreel

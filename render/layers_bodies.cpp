@@ -70,13 +70,16 @@ Aabbd box_px(const Stage& stage, const BodyView& body) {
 
 void draw_bodies(const Stage& stage, bool fixed_ones) {
   for (const BodyView& body : stage.frame.snapshot.bodies) {
-    if ((body.type == BodyType::fixed) == fixed_ones) draw_body(stage, body);
+    if ((body.type == BodyType::fixed) != fixed_ones) continue;
+    stage.own(OwnerKind::body, body.id);
+    draw_body(stage, body);
   }
 }
 
 void draw_parts(const Stage& stage) {
   for (const BodyView& body : stage.frame.snapshot.bodies) {
     const Tone tone = tone_of(stage.palette, body);
+    stage.own(OwnerKind::body, body.id);
     paint_seams(stage.canvas, shapes_of(stage, body), stage.sizes.thin, mixed(tone.fill, tone.outline, 0.5));
   }
 }

@@ -58,6 +58,7 @@ void draw_contact_point(const Stage& stage, const ContactMarks& marks, Vec2d nor
 }  // namespace
 
 void draw_tree(const Stage& stage) {
+  stage.own(OwnerKind::bvh);
   for (const TreeBoxView& node : stage.frame.snapshot.tree) {
     Color color = stage.palette.tree;
     color.a = static_cast<std::uint8_t>(std::max(60, 255 - 28 * node.depth));
@@ -66,6 +67,7 @@ void draw_tree(const Stage& stage) {
 }
 
 void draw_boxes(const Stage& stage) {
+  stage.own(OwnerKind::aabbs);
   for (const Aabbd& box : stage.frame.snapshot.aabbs) {
     draw_frame_of(stage, box, stage.sizes.thin, stage.palette.box);
   }
@@ -76,6 +78,7 @@ void draw_contacts(const Stage& stage) {
   const double scale = crowding(snapshot.contacts) * std::max(stage.sizes.unit, 0.6);
   const ContactMarks marks{4.5 * scale, 9 * scale, 46 * scale, 3 * scale, usual_impulse(snapshot)};
   for (const ContactView& contact : snapshot.contacts) {
+    stage.own(OwnerKind::contact, contact.a, contact.b);
     for (int i = 0; i < contact.point_count; ++i) {
       if (contact.points[i].touching()) draw_contact_point(stage, marks, contact.normal, contact.points[i]);
     }

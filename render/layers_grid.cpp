@@ -67,6 +67,7 @@ void draw_number(const Stage& stage, Cards& cards, const std::string& text, Vec2
 
 void draw_grid(const Stage& stage) {
   const GridTicks ticks = grid_ticks(stage);
+  stage.own(OwnerKind::grid);
   draw_lines(stage, ticks.across, true);
   draw_lines(stage, ticks.up, false);
 }
@@ -75,6 +76,7 @@ void draw_grid_numbers(const Stage& stage, Cards& cards) {
   const GridTicks ticks = grid_ticks(stage);
   const Aabbd safe = stage.safe_area();
   const double gap = 0.3 * stage.sizes.small;
+  stage.own(OwnerKind::grid);
   for (int i = 0; i < ticks.across.count; ++i) {
     const double x = stage.camera.to_px({ticks.across.at(i), 0}).x;
     draw_number(stage, cards, number_text(ticks.across.at(i), ticks.across.decimals) + " m", {x + gap, safe.upper.y});
@@ -88,6 +90,7 @@ void draw_grid_numbers(const Stage& stage, Cards& cards) {
 void draw_clock(const Stage& stage, Cards& cards) {
   const std::string text = "t = " + number_text(stage.frame.snapshot.time, 2) + " s";
   const int size = stage.sizes.small;
+  stage.own(OwnerKind::clock);
   const Aabbd card = cards.place({stage.canvas.text_width(text, size), cap_height * size}, Corner::top_left);
   stage.canvas.text(text, {card.lower.x, card.upper.y}, size, Align::left, stage.palette.quiet_ink);
 }

@@ -195,6 +195,7 @@ void draw_joints(const Stage& stage) {
   for (const JointView& joint : stage.frame.snapshot.joints) {
     const Vec2d a = stage.camera.to_px(joint.anchor_a);
     const Vec2d b = stage.camera.to_px(joint.anchor_b);
+    stage.own(OwnerKind::joint, joint.a, joint.b);
     switch (joint.kind) {
       case JointKind::revolute:
         draw_revolute(stage, joint, a, b);

@@ -87,7 +87,10 @@ void draw_label(const Stage& stage, Cards& cards, const LabelView& label) {
 }  // namespace
 
 void draw_labels(const Stage& stage, Cards& cards) {
-  for (const LabelView& label : stage.frame.labels) draw_label(stage, cards, label);
+  for (const LabelView& label : stage.frame.labels) {
+    stage.own(OwnerKind::label, label.text, label.body);
+    draw_label(stage, cards, label);
+  }
 }
 
 }  // namespace proofreel

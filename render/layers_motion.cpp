@@ -32,6 +32,7 @@ void draw_trails(const Stage& stage) {
     Color from = trail_color(stage, trail.body);
     Color to = from;
     from.a = 0;
+    stage.own(OwnerKind::trail, trail.body);
     to.a = 230;
     stage.canvas.stroke(points, std::max(2.0, 4 * stage.sizes.unit), from, to);
   }
@@ -41,6 +42,7 @@ void draw_vectors(const Stage& stage) {
   const double width = std::max(2.0, 4 * stage.sizes.unit);
   for (const ArrowView& arrow : stage.frame.arrows) {
     const Color color = stage.palette.vectors[static_cast<std::size_t>(arrow.of)];
+    stage.own(OwnerKind::vector, arrow.body);
     stage.canvas.arrow(stage.camera.to_px(arrow.from), stage.camera.to_px(arrow.to), width, color);
   }
 }

@@ -6,6 +6,7 @@ namespace proofreel {
 
 void draw_water(const Stage& stage) {
   if (!stage.frame.snapshot.water_level) return;
+  stage.own(OwnerKind::water);
   const Aabbd picture = stage.picture();
   const double surface = stage.camera.to_px({0, *stage.frame.snapshot.water_level}).y;
   if (surface >= picture.upper.y) return;
@@ -15,6 +16,7 @@ void draw_water(const Stage& stage) {
 
 void draw_water_line(const Stage& stage) {
   if (!stage.frame.snapshot.water_level) return;
+  stage.own(OwnerKind::water);
   const Aabbd picture = stage.picture();
   const double surface = stage.camera.to_px({0, *stage.frame.snapshot.water_level}).y;
   if (surface < 0 || surface >= picture.upper.y) return;

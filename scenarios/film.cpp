@@ -67,7 +67,7 @@ std::vector<ArrowView> arrows(const Picture& picture, const Snapshot& snapshot) 
     const BodyView* body = find_body(snapshot, mark.body);
     if (body == nullptr) continue;
     const Vec2d from = body->state.center;
-    views.push_back({mark.of, from, from + mark.scale * quantity(snapshot, *body, mark.of)});
+    views.push_back({mark.of, from, from + mark.scale * quantity(snapshot, *body, mark.of), body->id});
   }
   return views;
 }
@@ -89,7 +89,7 @@ std::vector<LabelView> labels(const Picture& picture, const Snapshot& snapshot) 
   std::vector<LabelView> views;
   for (const Label& label : picture.labels) {
     const BodyView* body = find_body(snapshot, label.body);
-    if (body != nullptr) views.push_back({body->state.center, reach(snapshot, *body), label.text});
+    if (body != nullptr) views.push_back({body->state.center, reach(snapshot, *body), label.text, body->id});
   }
   return views;
 }

@@ -22,12 +22,14 @@ struct ArrowView {
   VectorOf of = VectorOf::velocity;
   Vec2d from;  ///< world
   Vec2d to;    ///< world
+  BodyId body{};
 };
 
 struct LabelView {
   Vec2d anchor;          ///< world: the body's centre
   double clearance = 0;  ///< m from the anchor to the body's far edge
   std::string text;
+  BodyId body{};
 };
 
 struct CaptionView {

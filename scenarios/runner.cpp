@@ -283,8 +283,10 @@ void Runner::move_to(std::unique_ptr<Simulation> fresh) {
   impl_->binding.emplace(*impl_->scenario.script, *impl_->simulation);
 }
 
-RunReport Runner::finish() {
-  while (!finished()) impl_->advance();
+RunReport Runner::finish(const std::function<void()>& after_tick) {
+  while (!finished()) {
+    if (impl_->advance() && after_tick) after_tick();
+  }
   if (impl_->simulation->failure()) impl_->give_up();
   if (impl_->replay && impl_->replay->ended_elsewhere(*impl_->simulation, impl_->report.trajectory_hash))
     impl_->scenario.warnings.push_back("the motion is not that of the saved run: the program has changed since");

@@ -4,6 +4,7 @@
 /// this one class, so that they cannot disagree.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,8 +82,8 @@ class Runner {
   Frame frame(std::int64_t index) const;
   /// All samples so far: one at every film frame's tick and one at the last.
   const std::vector<Sample>& samples() const;
-  /// Steps what is left and says how it went.
-  RunReport finish();
+  /// Steps what is left and says how it went. `after_tick` is called after every tick of it.
+  RunReport finish(const std::function<void()>& after_tick = {});
   /// After the end: the run as it was at one of the ticks to save. Throws ScenarioError.
   SavedRun saved(std::int64_t tick) const;
   /// Goes on in another simulation, made of the same scene, that takes up the state of the present one; the script

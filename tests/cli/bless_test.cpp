@@ -72,12 +72,12 @@ TEST_CASE("Blessing again changes nothing and says so", "[golden]") {
   REQUIRE(fs::last_write_time(c.golden("golden.json")) == written);
 }
 
-TEST_CASE("Other physics is called physics, naming the body and the frames between which it began", "[golden]") {
+TEST_CASE("Other physics is called physics, naming the body and the tick at which it began", "[golden]") {
   const BlessedCollection c;
   REQUIRE(c.verdicts({"--set", "gravity={0,-9.7}"}) == Words{"exact", "physics", "physics", "physics"});
   REQUIRE(c.verdicts({"--hash-only", "--set", "gravity={0,-9.7}"}) == Words{"exact", "physics", "physics", "physics"});
   const Outcome o = c.run({"check", "hard/ball", "--set", "gravity={0,-9.7}"});
-  REQUIRE_THAT(o.out, Contains("FAILED  hard/ball") && Contains("\"ball\"") && Contains("since frame 0"));
+  REQUIRE_THAT(o.out, Contains("FAILED  hard/ball") && Contains("since tick 1 (first ball). ball moved"));
 }
 
 TEST_CASE("Other drawing is called drawing, and passes where nothing is drawn", "[golden]") {
@@ -119,13 +119,52 @@ TEST_CASE("Pixels within the tolerance are tolerated, with the headroom told; be
     return c.verdicts()[1];
   };
   REQUIRE(verdict_with({}) == "drawing");
-  REQUIRE_THAT(c.run({"check"}).out, Contains("10 of 6144 pixels differ, by up to 2 of 255 (at 0,0)"));
+  REQUIRE_THAT(c.run({"check"}).out, Contains("10 of 6,144 pixels differ, by up to 2 of 255 (at 0,0)"));
   REQUIRE(verdict_with({1, 0, "why"}) == "drawing");
   REQUIRE(verdict_with({2, 0, "why"}) == "tolerated");
   REQUIRE(verdict_with({0, 9, "why"}) == "drawing");
   REQUIRE(verdict_with({0, 10, "why"}) == "tolerated");
   REQUIRE_THAT(c.run({"check"}).out, Contains("passed") && Contains("10 pixels beyond, of which 10 are used"));
   REQUIRE(c.verdicts({"--set", "gravity={0,-9}"})[1] == "physics");
+}
+
+TEST_CASE("A tolerance of what is seen is held by its limits, with the headroom told", "[golden]") {
+  const BlessedCollection c;
+  const std::string file = c.golden("frame_00015.png");
+  change_pixels(file, 0xff);  // of ten pixels side by side, one channel
+  Golden golden = c.load();
+  const std::string bytes = read_text(file);
+  golden.frames[1].pixel_hash = pixel_hash(read_png(file));
+  golden.frames[1].file_hash = bytes_hash({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  const auto verdict_with = [&](const DifferenceLimits& limits) {
+    golden.tolerance = {0, 0, "why", SeenTolerance{0.1, limits}};
+    c.store(golden);
+    return c.verdicts()[1];
+  };
+  REQUIRE(verdict_with({10, std::nullopt, 2}) == "tolerated");
+  REQUIRE_THAT(c.run({"check"}).out, Contains("10 of 10 visibly different pixels are used"));
+  REQUIRE(verdict_with({9, std::nullopt, 2}) == "drawing");
+  REQUIRE_THAT(c.run({"check"}).out, Contains("beyond what is tolerated: 10 pixels differ, 9 may"));
+  REQUIRE(verdict_with({10, 10, 2}) == "tolerated");
+  REQUIRE(verdict_with({10, 9, 2}) == "drawing");
+  REQUIRE(verdict_with({10, std::nullopt, 0.1}) == "drawing");
+}
+
+TEST_CASE("Pictures are judged alike on one thread and on several, in the same order", "[golden]") {
+  const Collection c;
+  for (const char* id : {"a", "b", "c", "d", "e"}) c.write(id, falling_ball());
+  REQUIRE(c.run({"bless"}).status == 0);
+  c.write("b", falling_ball("ball:set { velocity = {1, 0} }\n"));
+  c.write("d", "scenario {");
+  const Outcome one = c.run({"check", "--jobs", "1"});
+  REQUIRE(one.status == 2);
+  REQUIRE_THAT(one.out, Contains("passed  a\nFAILED  b\n  frame 0: physics: since tick 0 (first ball)."));
+  for (const char* jobs : {"2", "5"}) {
+    const Outcome more = c.run({"check", "--jobs", jobs});
+    REQUIRE(more.status == 2);
+    REQUIRE(more.out == one.out);
+    REQUIRE(more.err == one.err);
+  }
 }
 
 TEST_CASE("A picture of other size is called size", "[golden]") {
@@ -145,7 +184,7 @@ TEST_CASE("A frame newly asked for is missing, one no longer asked for an orphan
   REQUIRE(c.verdicts() == Words{"orphan", "exact", "missing", "exact", "exact"});
   const Outcome bless = c.run({"bless"});
   REQUIRE_THAT(bless.out, Contains("frame 16: new") && Contains("frame_00015.png") && Contains("--prune"));
-  REQUIRE(c.verdicts() == Words{"exact", "exact", "exact", "exact", "orphan"});
+  REQUIRE(c.verdicts() == Words{"exact", "exact", "exact", "exact", "orphan", "orphan"});
   REQUIRE_THAT(c.run({"bless", "--prune"}).out, Contains("frame_00015.png is removed"));
   REQUIRE(c.verdicts() == Words(4, "exact"));
 }
@@ -187,6 +226,66 @@ TEST_CASE("bless says what changed, keeps the tolerance, and writes only picture
   REQUIRE(c.load().tolerance.max_channel == 3);
   REQUIRE(c.load().tolerance.reason == "a reason");
   REQUIRE(c.verdicts() == Words(4, "exact"));
+}
+
+TEST_CASE("bless leaves a frame alone whose difference is tolerated", "[golden]") {
+  const BlessedCollection c;
+  const std::string file = c.golden("frame_00015.png");
+  change_pixels(file, 2);
+  Golden golden = c.load();
+  const std::string bytes = read_text(file);
+  golden.frames[1].pixel_hash = pixel_hash(read_png(file));
+  golden.frames[1].file_hash = bytes_hash({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  golden.tolerance = {2, 0, "why"};
+  c.store(golden);
+  REQUIRE_THAT(c.run({"bless"}).out, Contains("hard/ball: unchanged"));
+  REQUIRE(read_text(file) == bytes);
+}
+
+TEST_CASE("bless adds what only explains failures where it is missing, and touches no picture", "[golden]") {
+  const BlessedCollection c;
+  const std::string kept = read_text(c.golden("golden.json"));
+  const auto written = fs::last_write_time(c.golden("frame_00015.png"));
+  fs::remove(c.golden("ticks.bin"));
+  REQUIRE_THAT(c.run({"bless"}).out, Contains("hard/ball: the fingerprints of its ticks are added."));
+  fs::remove(c.golden("frame_00015.owners.png"));
+  Golden golden = c.load();
+  golden.frames[2].touching.reset();
+  c.store(golden);
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+  REQUIRE_THAT(c.run({"bless"}).out, Contains("hard/ball: frames 15, 29: whose its pixels are"));
+  REQUIRE(fs::exists(c.golden("frame_00015.owners.png")));
+  REQUIRE(fs::last_write_time(c.golden("frame_00015.png")) == written);
+  REQUIRE(read_text(c.golden("golden.json")) == kept);
+  REQUIRE_THAT(c.run({"bless"}).out, Contains("unchanged"));
+}
+
+TEST_CASE("bless says what it will change before it writes anything", "[golden]") {
+  const Collection c;
+  c.write("ball", falling_ball());
+  fs::create_directories(c / "golden/images");
+  write_text(c / "golden/images/ball", "a file where the folder should be");
+  const Outcome o = c.run({"bless"});
+  REQUIRE(o.status == 3);
+  REQUIRE_THAT(o.out, Contains("ball: frame 0: new.") && Contains("ball: frame 29: new."));
+  REQUIRE_THAT(o.err, Contains("golden/images/ball"));
+}
+
+TEST_CASE("References of a scenario that is gone are told about, and removed with --prune", "[golden]") {
+  const BlessedCollection c;
+  c.write("hard/ball/inner", falling_ball());
+  c.write("hard/other", falling_ball());
+  REQUIRE(c.run({"bless"}).status == 0);
+  fs::remove(c / "scenarios/hard/ball.lua");
+  REQUIRE_THAT(c.run({"bless"}).out, Contains("hard/ball: no scenario asks for it any more; --prune removes it."));
+  REQUIRE(fs::exists(c.golden("golden.json")));
+  REQUIRE_THAT(c.run({"bless", "hard/other", "--prune"}).out, !Contains("hard/ball"));
+  REQUIRE_THAT(c.run({"bless", "--prune"}).out,
+               Contains("hard/ball: no scenario asks for it any more; it is removed."));
+  REQUIRE_FALSE(fs::exists(c.golden("golden.json")));
+  REQUIRE_FALSE(fs::exists(c.golden("frame_00015.owners.png")));
+  REQUIRE(fs::exists(c.golden("inner/golden.json")));
+  REQUIRE(c.run({"check"}).status == 0);
 }
 
 TEST_CASE("bless refuses with CI=true", "[golden]") {

@@ -24,6 +24,9 @@ Golden example() {
   golden.frames.push_back({0, hex(1), "ab", "frame_00000.png", "cd", {}});
   golden.frames.push_back(
       {60, hex(2), "ef", "frame_00060.png", "gh", {{1, "box \"1\"", 0.1, -0.0, 1e-300}, {7, "", 1e9, 3, 6}}});
+  golden.frames[1].touching = {{1, 7}, {1, 9}, {7, 9}};
+  golden.frames[1].owners = {
+      Owner{}, {OwnerKind::body, 7}, {OwnerKind::contact, 1, 7}, {OwnerKind::label, 1, 0, "\"v\""}};
   return golden;
 }
 
@@ -42,6 +45,66 @@ TEST_CASE("A golden file says again exactly what was put in", "[store]") {
   REQUIRE(back.frames[1].bodies[0].x == 0.1);
   REQUIRE(std::signbit(back.frames[1].bodies[0].y));
   REQUIRE(back.frames[1].bodies[0].angle == 1e-300);
+}
+
+TEST_CASE("Who touches whom and whose the pixels are comes back, and so does that it was not kept", "[store]") {
+  const Golden back = golden_from_json(to_json_text(example()), "golden.json");
+  CHECK(back.frames[1].touching == example().frames[1].touching);
+  CHECK(back.frames[1].owners == example().frames[1].owners);
+  CHECK_FALSE(back.frames[0].touching.has_value());
+  CHECK(back.frames[0].owners.empty());
+  Golden golden = example();
+  golden.frames[0].touching.emplace();
+  CHECK(golden_from_json(to_json_text(golden), "golden.json").frames[0].touching.has_value());
+}
+
+TEST_CASE("A tolerance of what is seen comes back, limit by limit", "[store]") {
+  Golden golden = example();
+  golden.tolerance = {0, 0, "another Mesa", SeenTolerance{0.2, {12, 5, 0.5}}};
+  const Tolerance back = golden_from_json(to_json_text(golden), "g.json").tolerance;
+  REQUIRE(back.seen.has_value());
+  CHECK(back.seen->threshold == 0.2);
+  CHECK(back.seen->limits.different == 12);
+  CHECK(back.seen->limits.window == 5);
+  CHECK(back.seen->limits.bias == 0.5);
+  CHECK(back.reason == "another Mesa");
+  golden.tolerance.seen->limits.window.reset();
+  CHECK_FALSE(golden_from_json(to_json_text(golden), "g.json").tolerance.seen->limits.window.has_value());
+}
+
+TEST_CASE("A tolerance of what is seen needs a reason, sane limits, and no limit per channel beside it", "[store]") {
+  const SeenTolerance sane{0.1, {3, std::nullopt, 1}};
+  for (const SeenTolerance& seen : {SeenTolerance{1.5, {3, std::nullopt, 1}}, SeenTolerance{0.1, {-1, std::nullopt, 1}},
+                                    SeenTolerance{0.1, {3, -1, 1}}, SeenTolerance{0.1, {3, std::nullopt, 300}}}) {
+    Golden golden = example();
+    golden.tolerance = {0, 0, "x", seen};
+    CHECK_THROWS_WITH(golden_from_json(to_json_text(golden), "g.json"), Contains("g.json: a tolerance takes"));
+  }
+  Golden golden = example();
+  golden.tolerance = {0, 0, "", sane};
+  CHECK_THROWS_WITH(golden_from_json(to_json_text(golden), "g.json"), Contains("reason"));
+  std::string both = to_json_text(example());
+  both.replace(both.find("\"reason\""), 0, "\"different\": 3, ");
+  CHECK_THROWS_WITH(golden_from_json(both, "g.json"), Contains("either max_channel and pixels, or different"));
+}
+
+TEST_CASE("Fingerprints of ticks are only used when they are of the run that was blessed", "[store]") {
+  const ScratchFolder folder;
+  const GoldenStore store(folder.path());
+  Golden golden = example();
+  golden.ticks = 2;
+  golden.final_trajectory_hash = hex(0xabcdef0123456789U);
+  const auto keep = [&](const TickTrace& trace) {
+    const std::vector<std::uint8_t> bytes = bytes_of(trace);
+    write_text(store.ticks_path("hard/stack"), {bytes.begin(), bytes.end()});
+  };
+  CHECK_FALSE(store.load_ticks(golden).has_value());
+  keep({{1, 2, 0x6789}, {}});
+  CHECK(store.load_ticks(golden).has_value());
+  keep({{1, 2, 0x6780}, {}});
+  CHECK_FALSE(store.load_ticks(golden).has_value());
+  keep({{1, 2, 3, 0x6789}, {}});
+  CHECK_FALSE(store.load_ticks(golden).has_value());
 }
 
 TEST_CASE("One body takes one line of a golden file, so that differences read well", "[store]") {
@@ -87,6 +150,7 @@ TEST_CASE("A store finds its scenarios, and the pictures no frame uses", "[store
   write_text(store.json_path("a"), to_json_text(example()));
   write_text(store.folder("hard/stack") / "frame_00060.png", "x");
   write_text(store.folder("hard/stack") / "frame_00061.png", "x");
+  write_text(store.folder("hard/stack") / "frame_00060.owners.png", "x");
   REQUIRE(store.ids() == std::vector<std::string>{"a", "hard/stack"});
   REQUIRE(store.load("hard/stack")->ticks == 1200);
   const auto orphans = store.orphan_files(example());
