@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #ifndef PROOFREEL_PICTURES
 #include "cli/run_peer.h"
+#include "golden/report_folder.h"
 #endif
 #include "render/usage_error.h"
 
@@ -21,7 +22,7 @@ Subcommand absent(CLI::App& program, const char* name, const char* why) {
 std::vector<Subcommand> absent_commands([[maybe_unused]] CLI::App& program) {
   std::vector<Subcommand> commands;
 #ifndef PROOFREEL_PICTURES
-  for (const char* name : {"render", "bless", "diff", "doctor", "study", "scorecard"}) {
+  for (const char* name : {"render", "bless", "diff", "report-merge", "doctor", "study", "scorecard"}) {
     commands.push_back(absent(program, name, " is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF)."));
   }
 #endif
@@ -32,6 +33,12 @@ std::vector<Subcommand> absent_commands([[maybe_unused]] CLI::App& program) {
 PeerRun peer_run(const std::string&, const Scenario&) {
   throw UsageError("--peer is not in this build, which has no other engines (PROOFREEL_PICTURES=OFF).");
 }
+
+ReportFolder::ReportFolder(std::filesystem::path) {
+  throw UsageError("--report is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF).");
+}
+void ReportFolder::add_pictures(ReportItem&, const std::string&, const std::filesystem::path&, const Image&) const {}
+void ReportFolder::finish(const Report&) const {}
 #endif
 
 }  // namespace proofreel

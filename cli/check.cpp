@@ -1,16 +1,22 @@
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <thread>
 
+#include "cli/check_output.h"
 #include "cli/commands.h"
 #include "cli/golden_store.h"
 #include "cli/in_order.h"
 #include "cli/run_output.h"
-#include "golden/check.h"
+#include "cli/scenario_files.h"
+#include "golden/check_report.h"
+#include "golden/shell.h"
 #include "render/usage_error.h"
+#include "scenarios/source.h"
 #ifdef PROOFREEL_PICTURES
 #include "golden/pictures.h"
 #endif
@@ -24,20 +30,9 @@ struct Options {
   std::string golden;
   bool hash_only = false;
   bool json = false;
+  ReportTargets targets;
+  Shard shard;
   int jobs = 0;  ///< 0: as many as the machine has cores
-};
-
-/// All that was found out, and what could not be.
-struct Results {
-  std::vector<CheckResult> checks;
-  std::vector<std::string> errors;   ///< of scenarios that cannot be run
-  std::vector<std::string> orphans;  ///< ids in the store that no scenario has
-
-  int status() const {
-    if (!errors.empty()) return 2;
-    const bool all = std::all_of(checks.begin(), checks.end(), [](const CheckResult& c) { return c.passed(); });
-    return all && orphans.empty() ? 0 : 1;
-  }
 };
 
 /// Runs one scenario and judges it, with or without pictures.
@@ -62,48 +57,49 @@ CheckOne by_pictures(const Options&) {
 }
 #endif
 
-std::string place_of(const Finding& finding) {
-  return finding.frame ? std::string("frame ").append(std::to_string(*finding.frame)) : std::string("scenario");
+/// K/N. Throws UsageError.
+Shard shard_in(const std::string& text) {
+  Shard shard;
+  const char *const end = text.data() + text.size(), *const slash = text.data() + std::min(text.find('/'), text.size());
+  const auto number = std::from_chars(text.data(), slash, shard.number);
+  const auto count = std::from_chars(std::min(slash + 1, end), end, shard.count);
+  const bool read = number.ec == std::errc{} && number.ptr == slash && count.ec == std::errc{} && count.ptr == end;
+  if (read && shard.number >= 1 && shard.number <= shard.count && shard.count <= 1000) return shard;
+  throw UsageError("--shard takes K/N, such as 2/4 for the second of four (at most 1000), not \"" + text + "\".");
 }
 
-std::string text_of(const CheckResult& check) {
-  std::string text(check.passed() ? "passed  " : "FAILED  ");
-  text.append(check.scenario).append("\n");
-  for (const Finding& finding : check.findings) {
-    if (finding.verdict == Verdict::exact) continue;
-    text.append("  ").append(place_of(finding)).append(": ").append(name_of(finding.verdict)).append(": ");
-    text.append(finding.message).append("\n");
-  }
-  return text;
+std::vector<StoredScenario> in_shard(std::vector<StoredScenario> scenarios, Shard shard) {
+  std::erase_if(scenarios, [shard](const StoredScenario& s) { return !is_in(shard, id_of(s.file)); });
+  return scenarios;
 }
 
-Json json_of(const Finding& finding) {
-  Json json{{"frame", nullptr},
-            {"verdict", name_of(finding.verdict)},
-            {"message", finding.message},
-            {"different", finding.comparison.different},
-            {"total", finding.comparison.total},
-            {"max_channel", finding.comparison.max_channel}};
-  if (finding.frame) json["frame"] = *finding.frame;
-  return json;
+/// The id where that means this file, else the file.
+std::string word_for(const std::string& file) {
+  std::error_code error;
+  const std::string id = id_of(file);
+  const std::filesystem::path collected = std::filesystem::path(scenarios_folder()) / (id + ".lua");
+  return shell_word(std::filesystem::equivalent(collected, file, error) ? id : file);
 }
 
-Json json_of(const CheckResult& check) {
-  Json findings = Json::array();
-  for (const Finding& finding : check.findings) findings.push_back(json_of(finding));
-  return {{"scenario", check.scenario},
-          {"passed", check.passed()},
-          {"findings", findings},
-          {"expectations", json_of(check.expectations)}};
+std::string command(const char* name, const std::string& file, const Options& options) {
+  std::string line = std::string("proofreel ").append(name).append(" ").append(word_for(file));
+  if (!options.golden.empty()) line += " --golden " + shell_word(options.golden);
+  return line;
 }
 
-Json json_of(const Results& results) {
-  Json checks = Json::array();
-  for (const CheckResult& check : results.checks) checks.push_back(json_of(check));
-  return {{"passed", results.status() == 0},
-          {"scenarios", checks},
-          {"orphans", results.orphans},
-          {"errors", results.errors}};
+/// What is told of one scenario, with the commands that lead on from here.
+ReportEntry with_commands(ReportEntry entry, const std::string& file, const Options& options) {
+  entry.file = file;
+  entry.reproduce = command("check", file, options);
+  if (options.hash_only) entry.reproduce += " --hash-only";
+  for (const std::string& set : options.common.set) entry.reproduce += " --set " + shell_word(set);
+  const auto can_be_blessed = [](const ReportItem& item) {
+    return !item.passed && item.verdict != "nondeterministic" && item.verdict != "expectation" &&
+           item.verdict != "error";
+  };
+  const bool blessable = std::any_of(entry.items.begin(), entry.items.end(), can_be_blessed);
+  if (blessable && options.common.set.empty()) entry.bless = command("bless", file, options);
+  return entry;
 }
 
 void report(const Options& options, const CheckResult& check) {
@@ -138,39 +134,59 @@ void draw_on_jobs_alone(int jobs) {
 }
 
 /// Every job has pictures of its own, since a GL context belongs to one thread.
-Results check_all(const Options& options, const std::vector<StoredScenario>& scenarios) {
-  Results results;
+CheckResults check_all(const Options& options, const std::vector<StoredScenario>& scenarios, CheckRecord& record) {
+  CheckResults results;
   InOrder<Checked> checks([&]() -> InOrder<Checked>::Worker {
     return [&scenarios, check_one = options.hash_only ? by_hashes(options) : by_pictures(options)](std::size_t i) {
       return checked(check_one, scenarios[i]);
     };
   });
+  std::size_t next = 0;
   checks.run(scenarios.size(), jobs_of(options), [&](Checked one) {
+    const std::string& file = scenarios[next++].file;
     if (one.result) {
       results.checks.push_back(std::move(*one.result));
-      report(options, results.checks.back());
+      CheckResult& last = results.checks.back();
+      report(options, last);
+      record.add(with_commands(entry_of(last), file, options), last);
     } else {
       say(one.error);
       results.errors.push_back(one.error);
+      record.add(with_commands(entry_of_error(id_of(file), one.error), file, options));
     }
   });
   return results;
 }
 
-std::vector<std::string> ids_of(const std::vector<CheckResult>& checks) {
+/// Each by one shard.
+void add_orphans(const Options& options, const std::vector<StoredScenario>& all, CheckResults& results,
+                 CheckRecord& record) {
   std::vector<std::string> ids;
-  for (const CheckResult& check : checks) ids.push_back(check.scenario);
-  return ids;
+  for (const StoredScenario& scenario : all) ids.push_back(id_of(scenario.file));
+  for (const std::string& id : orphans_of(options.scenarios, options.golden, std::move(ids))) {
+    if (!is_in(options.shard, id)) continue;
+    results.orphans.push_back(id);
+    record.add(entry_of_orphan(*collection_store(options.scenarios, options.golden), id));
+  }
+}
+
+void tell(const Options& options, const CheckResults& results, const std::string& page) {
+  if (options.json) {
+    std::cout << json_text(json_of(results, page), 2) << "\n";
+    return;
+  }
+  for (const std::string& id : results.orphans) std::cout << "orphan  " << id << ": no scenario asks for it\n";
+  if (!page.empty() && !options.common.quiet) say("The report is " + page + ".");
 }
 
 int check(const Options& options) {
+  const std::vector<StoredScenario> all = scenarios_meant(options.scenarios, options.golden);
+  CheckRecord record(options.targets, options.shard);
   draw_on_jobs_alone(jobs_of(options));
-  Results results = check_all(options, scenarios_meant(options.scenarios, options.golden));
-  if (results.errors.empty()) results.orphans = orphans_of(options.scenarios, options.golden, ids_of(results.checks));
-  if (options.json)
-    std::cout << json_text(json_of(results), 2) << "\n";
-  else
-    for (const std::string& id : results.orphans) std::cout << "orphan  " << id << ": no scenario asks for it\n";
+  CheckResults results = check_all(options, in_shard(all, options.shard), record);
+  add_orphans(options, all, results, record);
+  record.finish();
+  tell(options, results, record.page());
   return results.status();
 }
 
@@ -184,10 +200,15 @@ Subcommand check_command(CLI::App& program) {
   app->add_option("--golden", options->golden, "The store, instead of the nearest folder `golden`")->type_name("DIR");
   app->add_flag("--hash-only", options->hash_only, "Compare states only, draw nothing");
   app->add_flag("--json", options->json, "Print one JSON object instead of text");
+  app->add_option("--report", options->targets.folder, "Write a page that shows what failed and how")->type_name("DIR");
+  app->add_option("--junit", options->targets.junit, "Write JUnit XML for a CI server")->type_name("FILE");
+  app->add_option_function<std::string>(
+         "--shard", [options](const std::string& k) { options->shard = shard_in(k); },
+         "Check the K-th of N parts of all this; see report-merge")
+      ->type_name("K/N");
   app->add_option("--jobs", options->jobs, "Scenarios checked side by side; as many as there are cores unless told")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
-  refuse_not_built(*app, {"--report", "--junit", "--shard"});
   return {app, [options] { return check(*options); }};
 }
 

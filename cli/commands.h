@@ -14,6 +14,7 @@ Subcommand explain_command(CLI::App& program);
 Subcommand render_command(CLI::App& program);
 Subcommand bless_command(CLI::App& program);
 Subcommand diff_command(CLI::App& program);
+Subcommand report_merge_command(CLI::App& program);
 Subcommand doctor_command(CLI::App& program);
 Subcommand study_command(CLI::App& program);
 Subcommand scorecard_command(CLI::App& program);

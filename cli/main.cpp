@@ -22,8 +22,8 @@ std::vector<Subcommand> add_commands(CLI::App& program) {
 #endif
       check_command(program),     explain_command(program),
 #ifdef PROOFREEL_PICTURES
-      bless_command(program),     diff_command(program),    study_command(program),
-      scorecard_command(program), doctor_command(program),
+      bless_command(program),     diff_command(program),         study_command(program),
+      scorecard_command(program), report_merge_command(program), doctor_command(program),
 #endif
   };
   for (Subcommand& command : absent_commands(program)) commands.push_back(std::move(command));

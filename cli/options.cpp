@@ -32,13 +32,6 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* descripti
   return command;
 }
 
-void refuse_not_built(CLI::App& command, const std::vector<std::string>& options) {
-  for (const std::string& option : options) {
-    const auto refuse = [option](const std::vector<std::string>&) { throw UsageError(option + " is not built yet."); };
-    command.add_option_function<std::vector<std::string>>(option, refuse)->expected(0, 1)->group("");
-  }
-}
-
 void say(const std::string& words) { std::cerr << words << "\n"; }
 
 void say_all(const std::vector<std::string>& sentences) {

@@ -32,9 +32,6 @@ struct CommonOptions {
 CLI::App* add_command(CLI::App& program, const char* name, const char* description, const char* example,
                       CommonOptions& options);
 
-/// Options of the design that are not built: naming one is a UsageError that says so.
-void refuse_not_built(CLI::App& command, const std::vector<std::string>& options);
-
 /// Words for the user, on standard error, each on a line of its own.
 void say(const std::string& words);
 void say_all(const std::vector<std::string>& sentences);

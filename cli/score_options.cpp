@@ -1,25 +1,14 @@
 #include "cli/score_options.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "golden/shell.h"
 #include "lab/csv.h"
 #include "lab/score_files.h"
 #include "render/usage_error.h"
 
 namespace proofreel {
 namespace {
-
-/// As a shell takes it.
-std::string shell_word(const std::string& word) {
-  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+./,:@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 /// CLI::Range lets pass what is not a number, since that is neither below nor above; then every run is too slow.
 std::string problem_with_limit(const std::string& text) {
@@ -29,15 +18,6 @@ std::string problem_with_limit(const std::string& text) {
 }
 
 }  // namespace
-
-std::string command_line() {
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::string line = "proofreel";
-  std::string word;
-  std::getline(file, word, '\0');  // the program, wherever it lies
-  while (std::getline(file, word, '\0')) line.append(" ").append(shell_word(word));
-  return line;
-}
 
 void add_grid_options(CLI::App& command, GridOptions& options) {
   command.add_option("-o,--output", options.folder, "Folder for the table, the page and the pictures")
@@ -67,7 +47,7 @@ GridFiles make_grid_files(const Grid& grid, const std::string& name, bool with_s
     });
   }
   if (with_scores) files.scores = scores_of(grid, files.results);
-  write_score_files(grid, files.results, files.scores, work, command_line(), PROOFREEL_VERSION);
+  write_score_files(grid, files.results, files.scores, work, command_line("proofreel"), PROOFREEL_VERSION);
   return files;
 }
 

@@ -24,9 +24,6 @@ void add_grid_options(CLI::App& command, GridOptions& options);
 /// Throws UsageError without -o.
 void require_folder(const GridOptions& options);
 
-/// How this program was called, as a shell takes it.
-std::string command_line();
-
 /// What was written down.
 struct GridFiles {
   std::vector<RunResult> results;

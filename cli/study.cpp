@@ -11,6 +11,7 @@
 #include "cli/scenario_files.h"
 #include "cli/score_options.h"
 #include "golden/json.h"
+#include "golden/shell.h"
 #include "lab/csv.h"
 #include "lab/score_text.h"
 #include "lab/study_analysis.h"
@@ -179,7 +180,7 @@ int make_study(const Options& options) {
     outcome = work_off(
         study, work, [&](const char* phase) { phases.begin(phase); },
         [&](std::int64_t done, std::int64_t total) { phases.update(done, total); });
-    write_study_files(study, outcome, work, gl_backend_named(options.grid.common.gl), command_line(),
+    write_study_files(study, outcome, work, gl_backend_named(options.grid.common.gl), command_line("proofreel"),
                       PROOFREEL_VERSION);
   }
   if (options.film) make_film(options, study, outcome, work);

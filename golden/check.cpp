@@ -29,6 +29,17 @@ void note_orphan_files(const GoldenStore& store, const Golden& golden, std::vect
   }
 }
 
+/// So that people can see what is spoken of.
+void add_pictures(const GoldenStore& store, const Golden& golden, const Observation& now, Finding& finding) {
+  const auto is_it = [&finding](const auto& frame) { return frame.frame == finding.frame; };
+  const auto then = std::find_if(golden.frames.begin(), golden.frames.end(), is_it);
+  const auto seen = std::find_if(now.frames.begin(), now.frames.end(), is_it);
+  if (seen != now.frames.end() && !passes(finding.verdict)) finding.actual = seen->image;
+  if (then != golden.frames.end() && finding.verdict != Verdict::missing) {
+    finding.expected = store.folder(golden.scenario) / then->file;
+  }
+}
+
 /// Judges pictures as they come, and lets go of those that pass, so that a thousand of them take no memory.
 class PictureJudge {
  public:
@@ -75,6 +86,9 @@ CheckResult check_scenario(const std::string& path, const std::vector<Override>&
   if (needs_second_run(result.findings)) {
     const std::unique_ptr<Scenario> again = load_scenario(path, overrides);
     result.findings = findings_of_second_run(*again, store, *golden, tools, now, std::move(result.findings));
+  }
+  if (tools.judge) {
+    for (Finding& finding : result.findings) add_pictures(store, golden.value_or(Golden{}), now, finding);
   }
   if (golden) note_orphan_files(store, *golden, result.findings);
   return result;

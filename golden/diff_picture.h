@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/difference.h"
+#include "golden/diff_paint.h"
 #include "render/lettering.h"
 
 namespace proofreel {
@@ -24,13 +24,6 @@ std::optional<DiffStyle> diff_style_named(std::string_view name);
 
 /// The most pixels a picture of a difference may have: with what encoding it takes, 1.6 GB of memory.
 inline constexpr std::int64_t max_drawn_pixels = 120'000'000;
-
-/// Two pictures and what was found out about them.
-struct Compared {
-  const Image& expected;
-  const Image& actual;
-  const Difference& difference;
-};
 
 /// What stands above the panels of a picture side by side; too narrow ones have none.
 struct DiffTitles {

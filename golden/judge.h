@@ -2,6 +2,7 @@
 
 /// Holds what comes out now against what was kept, and says in words what differs.
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ struct Finding {
   Comparison comparison;                                  ///< filled where pixels were compared
   std::optional<std::int64_t> since_tick = std::nullopt;  ///< the first whose state differs, where that is known
   std::vector<Cause> causes = {};                         ///< of the pixels that differ
+  std::filesystem::path expected{};  ///< the reference picture, where there is one that can be used
+  Image actual{};                    ///< today's picture, where it did not pass
 };
 
 /// How the picture of one frame compares with its reference: exact, tolerated, drawing, size or missing. An empty

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "golden/page_files.h"
 #include "lab/page_style.h"
 
 namespace proofreel {
@@ -13,46 +14,12 @@ std::string sort_button(const std::string& label, std::size_t column) {
 
 }  // namespace
 
-std::string tag(const std::string& name, const std::string& content, const std::string& attributes) {
-  std::string text("<");
-  text.append(name);
-  if (!attributes.empty()) text.append(" ").append(attributes);
-  return text.append(">").append(content).append("</").append(name).append(">");
-}
-
-std::string attribute(const std::string& name, std::string_view value) {
-  return name + "=\"" + html_escaped(value) + "\"";
-}
-
 std::string heading(const std::string& label, std::size_t column) {
   return tag("th", sort_button(label, column), "scope=\"col\"");
 }
 
 std::string scrolling(const std::string& table, const std::string& label) {
   return tag("div", table, "class=\"scroll\" tabindex=\"0\" role=\"region\" " + attribute("aria-label", label)) + "\n";
-}
-
-std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 std::string machine_name() {
@@ -67,7 +34,8 @@ std::string machine_name() {
 std::string html_page(const std::string& title, const std::string& body) {
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += tag("title", html_escaped(title)) + "\n" + tag("style", page_style) + "\n</head>\n<body>\n";
+  page += tag("title", html_escaped(title)) + "\n" + tag("style", std::string(base_style()).append(page_style)) +
+          "\n</head>\n<body>\n";
   page += tag("h1", html_escaped(title)) + "\n" + body;
   return page + tag("script", page_script) + "\n</body>\n</html>\n";
 }

@@ -1,20 +1,12 @@
 #pragma once
 
-/// What pages are put together from. They need nothing from elsewhere, and can be read in light and dark, by keyboard
-/// and by ear.
+/// What pages of tables and figures are put together from, beside golden/html.h.
 
 #include <string>
-#include <string_view>
+
+#include "golden/html.h"
 
 namespace proofreel {
-
-/// `text` as it may stand in HTML, attributes in double quotes included.
-std::string html_escaped(std::string_view text);
-
-/// An element; content and attributes are HTML.
-std::string tag(const std::string& name, const std::string& content, const std::string& attributes = {});
-/// name="value", escaped.
-std::string attribute(const std::string& name, std::string_view value);
 
 /// A heading of a table that sorts its rows by column `column`; `label` is HTML.
 std::string heading(const std::string& label, std::size_t column);

@@ -1,25 +1,15 @@
 #pragma once
 
-/// What is the same in every page: its style and the script that sorts its tables.
+/// What pages of tables and figures have beside golden/page/base.css: their style and the script that sorts tables.
 
 namespace proofreel {
 
 inline constexpr const char* page_style = R"css(
-:root { color-scheme: light dark; --paper: #fbfaf6; --ink: #1f2a36; --quiet: #56616d; --line: #d6d3ca; --head: #f1efe8;
-  --link: #0b5394; --frame: #1f2a36;
-  --stands: #cde9e3; --stands-ink: #12302b; --degrades: #f0be52; --degrades-ink: #2b1f04; --fails: #9b332b;
-  --fails-ink: #ffffff; --slow: #e3e6ea; --slow-ink: #2b3440; --none: transparent; --none-ink: #56616d; }
-@media (prefers-color-scheme: dark) { :root { --paper: #17222e; --ink: #eaf0f5; --quiet: #a6b4c1; --line: #3a4c5e;
-  --head: #223140; --link: #8cc4ff; --frame: #ffffff;
-  --stands: #1d4f48; --stands-ink: #dff5f0; --degrades: #c99a35; --degrades-ink: #1b1302; --fails: #f09a8c;
-  --fails-ink: #2a0805; --slow: #34424f; --slow-ink: #dbe3ea; --none: transparent; --none-ink: #a6b4c1; } }
-@media print { :root { --paper: #ffffff; --ink: #000000; } .scroll { overflow: visible; max-height: none; }
+@media print { .scroll { overflow: visible; max-height: none; }
   thead { position: static; } th button { padding: 0; } }
-* { box-sizing: border-box; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-body { margin: 0 auto; padding: 1.5rem clamp(1rem, 3vw, 3rem) 4rem; background: var(--paper); color: var(--ink);
-  font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; font-variant-numeric: tabular-nums; }
+body { margin: 0 auto; padding: 1.5rem clamp(1rem, 3vw, 3rem) 4rem; }
 h1 { font-size: 1.8rem; margin: 0 0 .3rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
-p { max-width: 75ch; margin: .4rem 0; } .quiet { color: var(--quiet); } a { color: var(--link); }
+p { max-width: 75ch; margin: .4rem 0; }
 pre { padding: .6rem .8rem; background: var(--head); border: 1px solid var(--line); border-radius: 6px;
   overflow-x: auto; font: 14px/1.4 ui-monospace, "DejaVu Sans Mono", monospace;
   white-space: pre-wrap; overflow-wrap: anywhere; }
@@ -34,8 +24,7 @@ th[scope=row] small { max-width: 17rem; overflow: hidden; text-overflow: ellipsi
 th button { font: inherit; color: inherit; background: none; border: 0; width: 100%; padding: .15rem; cursor: pointer; }
 th[aria-sort=ascending] button::after { content: " \2191"; }
 th[aria-sort=descending] button::after { content: " \2193"; }
-a:focus-visible, button:focus-visible, summary:focus-visible, span:focus-visible { outline: 2px solid var(--link);
-  position: relative; z-index: 1; }
+a:focus-visible, button:focus-visible, summary:focus-visible, span:focus-visible { position: relative; z-index: 1; }
 td { text-align: right; white-space: nowrap; padding: .25rem .5rem; border-radius: 4px; }
 td.words { text-align: left; white-space: normal; max-width: 60ch; }
 td.words, .plain td { border-bottom: 1px solid var(--line); border-radius: 0; }
@@ -61,7 +50,6 @@ figcaption { color: var(--quiet); } .verdict { font-size: 1.15rem; max-width: 80
   background: var(--ink); color: var(--paper); font-size: .9rem; }
 #tip[hidden] { display: none; }
 details { margin: .5rem 0; } summary { cursor: pointer; font-weight: 600; }
-.vh { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 )css";
 
 /// Every button in a heading sorts its table's rows by its column: first upwards, then downwards. What has no number

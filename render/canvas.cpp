@@ -397,11 +397,4 @@ void Canvas::finish(Image& image) {
   impl_->gpu.draw(impl_->mode, impl_->background, impl_->batches.batches(), impl_->atlas, image);
 }
 
-Color mixed(Color a, Color b, double part) {
-  const auto channel = [part](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>(std::floor(from + (to - from) * part + 0.5));
-  };
-  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
-}
-
 }  // namespace proofreel

@@ -10,19 +10,11 @@
 #include <string_view>
 
 #include "engine/vec2.h"
+#include "render/color.h"
 #include "render/context.h"
 #include "render/image.h"
 
 namespace proofreel {
-
-/// Straight (not premultiplied) colour, 0..255 each.
-struct Color {
-  std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  friend bool operator==(Color, Color) = default;
-};
-
-/// The colour `part` (0..1) of the way from `a` to `b`.
-Color mixed(Color a, Color b, double part);
 
 /// How a closed shape is painted: the outline lies inside the shape's edge, `outline_px` wide (0: none).
 struct Paint {

@@ -48,7 +48,7 @@ Program::Program(const std::vector<std::string>& arguments, const std::string& f
   if (pid_ > 0) return;
   redirect(STDOUT_FILENO, out_path_);
   redirect(STDERR_FILENO, err_path_);
-  ::unsetenv("CI");
+  for (const char* name : {"CI", "GITHUB_ACTIONS", "GITHUB_WORKSPACE"}) ::unsetenv(name);
   for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
   if (::chdir(folder.c_str()) == 0) ::execv(argv[0], argv.data());
   ::_exit(127);

@@ -184,11 +184,5 @@ TEST_CASE("Wrong use exits with 2 and says what is wrong on standard error", "[c
   }
 }
 
-TEST_CASE("What the design has and this program has not is said by name", "[cli]") {
-  for (const char* option : {"--report", "--junit", "--shard"}) {
-    REQUIRE_THAT(proofreel_program({"check", option, "y"}).err, Contains(option) && Contains("not built yet"));
-  }
-}
-
 }  // namespace
 }  // namespace proofreel

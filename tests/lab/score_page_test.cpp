@@ -5,7 +5,7 @@
 #include "lab/html.h"
 #include "lab/score_map.h"
 #include "lab/score_text.h"
-#include "tests/lab/browser.h"
+#include "tests/browser.h"
 
 namespace proofreel {
 namespace {

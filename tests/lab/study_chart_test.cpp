@@ -7,7 +7,7 @@
 #include "lab/study_page.h"
 #include "render/context.h"
 #include "render/png.h"
-#include "tests/lab/browser.h"
+#include "tests/browser.h"
 #include "tests/lab/study_scenes.h"
 #include "tests/render/scratch_folder.h"
 
