@@ -44,6 +44,7 @@ std::string name_of(const Owner& owner, const BodyNames& names) {
     case OwnerKind::caption:
     case OwnerKind::plot:
     case OwnerKind::label:
+    case OwnerKind::pane:
       return words({kind, " \"", shortened(owner.text), "\""});
   }
   return "";
@@ -52,7 +53,7 @@ std::string name_of(const Owner& owner, const BodyNames& names) {
 /// Whether it shows what happened to bodies, or on the way, wherever it stands.
 bool follows_state(OwnerKind kind) {
   return kind == OwnerKind::trail || kind == OwnerKind::vector || kind == OwnerKind::plot || kind == OwnerKind::bvh ||
-         kind == OwnerKind::aabbs || kind == OwnerKind::contact || kind == OwnerKind::joint;
+         kind == OwnerKind::aabbs || kind == OwnerKind::contact || kind == OwnerKind::joint || kind == OwnerKind::pane;
 }
 
 bool has_body(const Owner& owner, std::uint32_t body) { return body != 0 && (owner.a == body || owner.b == body); }

@@ -18,6 +18,11 @@ void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::ve
   const auto shows = [&style](Layer layer) {
     return std::find(style.layers.begin(), style.layers.end(), layer) != style.layers.end();
   };
+  if (frame.demonstration) {
+    draw_demonstration(stage);
+    Cards cards(stage.safe_area());
+    return draw_captions(stage, cards);
+  }
   if (shows(Layer::grid)) draw_grid(stage);
   draw_water(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, true);

@@ -13,7 +13,7 @@ struct Style {
 };
 
 /// Draws one frame to fill the canvas. A pure function of its arguments. Water, captions and plots are always drawn:
-/// whoever wrote them asked for them.
+/// whoever wrote them asked for them. A demonstration takes the place of everything but the captions.
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image);
 
 }  // namespace proofreel

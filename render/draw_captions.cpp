@@ -1,13 +1,13 @@
 #include <algorithm>
 
 #include "render/draw_layers.h"
-#include "render/draw_text.h"
+#include "render/typeset.h"
 
 namespace proofreel {
 namespace {
 
 struct Block {
-  std::vector<std::string> lines;
+  std::vector<TypesetLine> lines;
   int size_px = 0;
   double width = 0;
 };
@@ -15,10 +15,8 @@ struct Block {
 Block block_of(const Stage& stage, const CaptionView& caption, int size_px) {
   constexpr double padding = 1.4;  // em, left and right
   const double widest = stage.safe_area().upper.x - stage.safe_area().lower.x - padding * size_px;
-  Block block{wrapped(stage.canvas, caption.text, size_px, widest), size_px, 0};
-  for (const std::string& line : block.lines) {
-    block.width = std::max(block.width, stage.canvas.text_width(line, size_px));
-  }
+  Block block{typeset(stage.canvas, caption.text, size_px, widest), size_px, 0};
+  for (const TypesetLine& line : block.lines) block.width = std::max(block.width, line.width);
   block.width += padding * size_px;
   return block;
 }
@@ -42,18 +40,14 @@ void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) 
   if (block.lines.empty()) return;
   const double size = block.size_px;
   const double padding = 0.7 * size;
-  const double height = line_height * size * static_cast<double>(block.lines.size() - 1) + cap_height * size;
+  const double height = height_of(block.lines, block.size_px);
   const Aabbd card = cards.place({block.width, height + 1.1 * size}, caption.at);
   stage.canvas.rectangle(card.lower, card.upper, 0.3 * size, {stage.palette.plate, stage.palette.plate_edge, 1});
   const Align align = align_of(caption.at);
   const double x = align == Align::left    ? card.lower.x + padding
                    : align == Align::right ? card.upper.x - padding
                                            : 0.5 * (card.lower.x + card.upper.x);
-  double baseline = card.lower.y + 0.55 * size + cap_height * size;
-  for (const std::string& line : block.lines) {
-    stage.canvas.text(line, {x, baseline}, block.size_px, align, stage.palette.ink);
-    baseline += line_height * size;
-  }
+  draw_lines(stage.canvas, block.lines, block.size_px, {x, card.lower.y + 0.55 * size}, align, stage.palette.ink);
 }
 
 }  // namespace

@@ -83,6 +83,8 @@ void draw_clock(const Stage& stage, Cards& cards);
 void draw_captions(const Stage& stage, Cards& cards);
 void draw_plots(const Stage& stage, Cards& cards);
 void draw_labels(const Stage& stage, Cards& cards);
+/// A lecture film's step: heading and counters, panes, caption. It fills the picture.
+void draw_demonstration(const Stage& stage);
 
 /// The box around a body's shapes, in pixels; empty without shapes.
 Aabbd box_px(const Stage& stage, const BodyView& body);

@@ -26,11 +26,12 @@ enum class OwnerKind : std::uint8_t {
   clock,
   caption,
   plot,
-  label
+  label,
+  pane  ///< of a lecture film
 };
-inline constexpr std::array<const char*, 14> owner_kind_names{"nothing", "grid",    "water", "body",    "trail",
+inline constexpr std::array<const char*, 15> owner_kind_names{"nothing", "grid",    "water", "body",    "trail",
                                                               "bvh",     "aabbs",   "joint", "contact", "vector",
-                                                              "clock",   "caption", "plot",  "label"};
+                                                              "clock",   "caption", "plot",  "label",   "pane"};
 inline const char* name_of(OwnerKind kind) { return owner_kind_names[static_cast<std::size_t>(kind)]; }
 inline std::optional<OwnerKind> owner_kind_named(std::string_view name) {
   const auto found = std::find(owner_kind_names.begin(), owner_kind_names.end(), name);
@@ -43,7 +44,7 @@ struct Owner {
   OwnerKind kind = OwnerKind::nothing;
   std::uint32_t a = 0;    ///< a body's id: of bodies, trails, vectors and labels; the first of a joint or contact
   std::uint32_t b = 0;    ///< the second body of a joint or contact
-  std::string text = {};  ///< what a caption or label says; a plot's title
+  std::string text = {};  ///< what a caption or label says; the title of a plot or pane
   friend bool operator==(const Owner&, const Owner&) = default;
   friend auto operator<=>(const Owner&, const Owner&) = default;
 };

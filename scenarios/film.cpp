@@ -115,6 +115,7 @@ Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot sn
   frame.labels = labels(scenario.picture, snapshot);
   frame.captions = captions(scenario, snapshot.tick);
   frame.plots = recorder.plots();
+  if (!scenario.stories.empty()) frame.demonstration = view_of(scenario.stories, snapshot.time);
   frame.snapshot = std::move(snapshot);
   return frame;
 }

@@ -4,6 +4,7 @@
 /// happen later and elsewhere while the simulation goes on.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct Frame {
   std::vector<LabelView> labels;
   std::vector<CaptionView> captions;
   std::vector<PlotView> plots;
+  std::optional<DemonstrationView> demonstration;  ///< takes the place of the bodies
 };
 
 }  // namespace proofreel

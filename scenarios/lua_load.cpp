@@ -53,6 +53,7 @@ void LuaScript::open(lua_State* state) {
   open_forces(state);
   open_time(state);
   open_picture(state);
+  open_demonstrate(state);
   open_measures(state);
   open_unbuilt(state);
   sandbox_.set_known_names(global_names(state));
@@ -70,6 +71,7 @@ void LuaScript::load(const std::string& text) {
 void LuaScript::finish_loading() {
   Scenario& scenario = model_.scenario;
   if (!model_.described) throw Problem("the file never calls scenario{...}; it must, once");
+  time_stories();
   link_references();
   check_expectations();
   check_times();
@@ -81,6 +83,18 @@ void LuaScript::finish_loading() {
   for (std::string& warning : omission_warnings(called_for_by(scenario.scene), *scenario.scene.effects)) {
     scenario.warnings.push_back(std::move(warning));
   }
+}
+
+/// A lecture film lasts as long as its steps, unless the scenario says otherwise.
+void LuaScript::time_stories() {
+  Scenario& scenario = model_.scenario;
+  if (scenario.stories.empty()) return;
+  if (!model_.bodies.empty())
+    throw Problem("demonstrate{...} films an algorithm: a scenario that has one has no bodies");
+  if (model_.timed) return;
+  scenario.duration = duration_of(scenario.stories);
+  if (scenario.duration * scenario.scene.rate > most_ticks)
+    throw Problem("demonstrate: the film would be longer than 100 million ticks: choose a smaller pace");
 }
 
 void LuaScript::link_references() {

@@ -81,6 +81,7 @@ struct Model {
   std::vector<Command>* log = nullptr;     ///< takes down what is applied
   Phase phase = Phase::loading;
   bool described = false;  ///< scenario{} was called
+  bool timed = false;      ///< it said how long the scenario lasts
   int includes_open = 0;   ///< files being included right now
   std::vector<ParsedOverride> overrides;
   Random random{1};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scenarios/formula.h"
 #include "scenarios/lua_bodies.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/lua_words.h"
@@ -61,6 +62,8 @@ int caption(lua_State* state) {
   Model& model = drawing_model(state, "caption");
   Caption caption;
   caption.text = fields.required("text", fields.text("text"));
+  const auto parsed = parse_formulas(caption.text);
+  if (const auto* problem = std::get_if<std::string>(&parsed)) fields.refuse("text", *problem);
   caption.from = fields.number("from", Range::not_negative).value_or(model.time());
   caption.to = fields.number("to", Range::not_negative).value_or(forever);
   if (caption.to <= caption.from) fields.refuse("to", "must come after from");

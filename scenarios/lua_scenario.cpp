@@ -254,6 +254,7 @@ void read_scenario(const Fields& fields, Model& model) {
   put(scenario.title, fields.text("title"));
   put(scenario.description, fields.text("description"));
   read_time(fields, scenario);
+  model.timed = fields.has("duration");
   if (const auto seed = fields.integer("seed", INT64_MIN, INT64_MAX)) scenario.seed = static_cast<std::uint64_t>(*seed);
   put(scenario.scene.gravity, fields.vector("gravity"));
   if (length(scenario.scene.gravity) > strongest_gravity) fields.refuse("gravity", "must stay below 1e6 m/s^2");

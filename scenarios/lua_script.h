@@ -47,6 +47,7 @@ class LuaScript : public Script {
   Vec2d force_from(int function, Vec2d at, Vec2d velocity, double time);
   void open(lua_State* state);
   void finish_loading();
+  void time_stories();
   void link_references();
   void check_expectations();
   void check_times() const;

@@ -76,7 +76,8 @@ struct Runner::Impl {
     if (!saved_ticks.empty()) saver.emplace(scenario, saved_ticks);
     report.initial_energy = simulation->energy();
     energy_watch.start_from(report.initial_energy.total());
-    report.trajectory_hash = chained_hash(0, simulation->state_hash());
+    const std::uint64_t shown = scenario.stories.empty() ? 0 : hash_of(scenario.stories);
+    report.trajectory_hash = chained_hash(shown, simulation->state_hash());
     look();
   }
 

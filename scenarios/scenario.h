@@ -15,6 +15,7 @@
 
 #include "engine/scene.h"
 #include "engine/simulation.h"
+#include "scenarios/demonstration.h"
 
 namespace proofreel {
 
@@ -176,6 +177,7 @@ struct Scenario {
   std::vector<std::string> warnings;
   std::uint64_t source_hash = 0;                ///< XXH3 of its text and of all it includes
   std::map<std::string, std::string> settings;  ///< what `--set` replaced: full key, value
+  std::vector<Story> stories;                   ///< lecture films to show one after the other, in place of bodies
   std::vector<std::string> body_names;          ///< of body i + 1; grows with the bodies a running script makes
   std::unique_ptr<Script> script;
 

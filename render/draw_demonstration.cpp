@@ -1,0 +1,177 @@
+// The page of a lecture film: heading and counters above, panes in the middle, the caption on a band below. The band
+// and the panes keep their places throughout, so that nothing jumps.
+
+#include <algorithm>
+
+#include "render/draw_marks.h"
+#include "render/draw_text.h"
+#include "render/typeset.h"
+
+namespace proofreel {
+namespace {
+
+constexpr int caption_lines = 2;
+
+/// How the picture is divided, from the top down; px.
+struct Page {
+  Aabbd head;
+  Aabbd panes;
+  Aabbd caption;
+};
+
+Page page_of(const Stage& stage) {
+  const Aabbd safe = stage.safe_area();
+  const double head = 1.3 * stage.sizes.title;
+  const double band = (caption_lines * line_height + 0.8) * stage.sizes.text;
+  const double gap = 0.5 * stage.sizes.text;
+  Page page{safe, safe, safe};
+  page.head.upper.y = safe.lower.y + head;
+  page.caption.lower.y = safe.upper.y - band;
+  page.panes.lower.y = page.head.upper.y + gap;
+  page.panes.upper.y = page.caption.lower.y - gap;
+  return page;
+}
+
+/// Counters end at the right edge, the heading begins at the left; where they would meet, the heading is smaller.
+void draw_head(const Stage& stage, const DemonstrationView& view, const Aabbd& head) {
+  const int size = stage.sizes.small;
+  const double baseline = head.lower.y + cap_height * stage.sizes.title;
+  double x = head.upper.x;
+  for (auto counter = view.counters.rbegin(); counter != view.counters.rend(); ++counter) {
+    const double value = stage.canvas.text_width(counter->value, stage.sizes.text);
+    stage.canvas.text(counter->value, {x, baseline}, stage.sizes.text, Align::right, stage.palette.ink);
+    x -= value + 0.4 * size;
+    stage.canvas.text(counter->name, {x, baseline}, size, Align::right, stage.palette.quiet_ink);
+    x -= stage.canvas.text_width(counter->name, size) + 1.4 * size;
+  }
+  const TypesetLine large = typeset_line(stage.canvas, view.heading, stage.sizes.title);
+  const bool fits = head.lower.x + large.width <= x;
+  const TypesetLine line = fits ? large : typeset_line(stage.canvas, view.heading, stage.sizes.text);
+  draw_line(stage.canvas, line, {head.lower.x, baseline}, stage.palette.ink);
+}
+
+/// As few lines as possible, and all about equally long: no word stands alone.
+std::vector<TypesetLine> balanced(const Stage& stage, const std::string& text, int size, double width) {
+  std::vector<TypesetLine> best = typeset(stage.canvas, text, size, width);
+  for (double narrower = 0.95 * width; narrower > 0.5 * width; narrower -= 0.05 * width) {
+    std::vector<TypesetLine> lines = typeset(stage.canvas, text, size, narrower);
+    if (lines.size() > best.size()) break;
+    best = std::move(lines);
+  }
+  return best;
+}
+
+void draw_caption_band(const Stage& stage, const std::string& caption, const Aabbd& band) {
+  stage.canvas.rectangle(band.lower, band.upper, 0.3 * stage.sizes.text,
+                         {stage.palette.plate, stage.palette.plate_edge, 1});
+  int size = stage.sizes.text;
+  const double padding = 0.4 * size;
+  const Vec2d room = band.upper - band.lower - Vec2d{4 * padding, padding};
+  std::vector<TypesetLine> lines = balanced(stage, caption, size, room.x);
+  if (height_of(lines, size) > room.y) {
+    size = stage.sizes.small;
+    lines = balanced(stage, caption, size, room.x);
+  }
+  const Vec2d middle = center(band);
+  draw_lines(stage.canvas, lines, size, {middle.x, middle.y - 0.5 * height_of(lines, size)}, Align::center,
+             stage.palette.ink);
+}
+
+/// Side by side, or below each other where the picture is upright.
+std::vector<Aabbd> areas_of(const Stage& stage, const std::vector<Pane>& panes, const Aabbd& whole) {
+  const Vec2d size = whole.upper - whole.lower;
+  const bool beside = size.x >= size.y;
+  const double gap = stage.sizes.text;
+  double shares = 0;
+  for (const Pane& pane : panes) shares += pane.share;
+  const double room = (beside ? size.x : size.y) - gap * static_cast<double>(panes.size() - 1);
+  std::vector<Aabbd> areas;
+  double at = beside ? whole.lower.x : whole.lower.y;
+  for (const Pane& pane : panes) {
+    const double long_side = room * pane.share / shares;
+    areas.push_back(beside ? Aabbd{{at, whole.lower.y}, {at + long_side, whole.upper.y}}
+                           : Aabbd{{whole.lower.x, at}, {whole.upper.x, at + long_side}});
+    at += long_side + gap;
+  }
+  return areas;
+}
+
+/// Where marks may lie: inside the title and room for labels.
+Aabbd inner_area(const Stage& stage, const Pane& pane, const Aabbd& area) {
+  const double size = stage.sizes.small;
+  Aabbd inner = area;
+  if (!pane.title.empty()) inner.lower.y += 1.6 * size;
+  const Vec2d room = pane.diagram ? Vec2d{1.6 * size, 1.2 * size} : Vec2d{2.2 * size, 1.8 * stage.sizes.text};
+  return {inner.lower + room, inner.upper - room};
+}
+
+Vec2d scale_of(const Pane& pane, const Aabbd& inner) {
+  const Vec2d size = pane.bounds.upper - pane.bounds.lower;
+  const Vec2d room = inner.upper - inner.lower;
+  const Vec2d scale{room.x / size.x, room.y / size.y};
+  if (pane.diagram) return scale;
+  const double both = std::min(scale.x, scale.y);
+  return {both, both};
+}
+
+/// Panes in metres share one scale: what is long in one is long in the other.
+std::vector<PanePlace> places_of(const Stage& stage, const std::vector<Pane>& panes, const std::vector<Aabbd>& areas) {
+  std::vector<PanePlace> places;
+  double common = 1e300;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const Aabbd inner = inner_area(stage, panes[i], areas[i]);
+    places.push_back({panes[i].diagram, areas[i], inner, scale_of(panes[i], inner), center(panes[i].bounds)});
+    if (!panes[i].diagram) common = std::min(common, places.back().scale.x);
+  }
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    if (!panes[i].diagram) places[i].scale = {common, common};
+  }
+  return places;
+}
+
+void draw_pane_title(const Stage& stage, const Pane& pane, const Aabbd& area) {
+  if (pane.title.empty()) return;
+  const int size = stage.sizes.small;
+  const TypesetLine line = typeset_line(stage.canvas, pane.title, size);
+  draw_line(stage.canvas, line, {area.lower.x + 0.3 * size, area.lower.y + cap_height * size}, stage.palette.quiet_ink);
+}
+
+/// Between panes that lie side by side or below each other.
+void draw_divider(const Stage& stage, const Aabbd& before, const Aabbd& after) {
+  const Color color = stage.palette.plate_edge;
+  if (after.lower.x > before.upper.x) {
+    const double x = std::floor(0.5 * (before.upper.x + after.lower.x));
+    stage.canvas.rectangle({x, before.lower.y}, {x + 1, before.upper.y}, 0, {color, color, 0});
+  } else {
+    const double y = std::floor(0.5 * (before.upper.y + after.lower.y));
+    stage.canvas.rectangle({before.lower.x, y}, {before.upper.x, y + 1}, 0, {color, color, 0});
+  }
+}
+
+}  // namespace
+
+void draw_demonstration(const Stage& whole) {
+  const Vec2d size = whole.picture().upper;
+  Stage stage = whole;  // letters follow the width where the picture is upright
+  stage.sizes = sizes_of(static_cast<int>(std::min(size.y, 0.75 * size.x)));
+  const DemonstrationView& view = *stage.frame.demonstration;
+  const Page page = page_of(stage);
+  stage.own(OwnerKind::caption, view.heading);
+  draw_head(stage, view, page.head);
+  const std::vector<Aabbd> areas = areas_of(stage, view.panes, page.panes);
+  const std::vector<PanePlace> places = places_of(stage, view.panes, areas);
+  for (std::size_t i = 0; i < view.panes.size(); ++i) {
+    stage.own(OwnerKind::pane, view.panes[i].title);
+    if (i > 0) draw_divider(stage, areas[i - 1], areas[i]);
+    draw_pane_title(stage, view.panes[i], areas[i]);
+    std::vector<const StoryMark*> marks;
+    for (const StoryMark& mark : view.marks) {
+      if (mark.pane == static_cast<int>(i)) marks.push_back(&mark);
+    }
+    draw_marks(stage, places[i], marks);
+  }
+  stage.own(OwnerKind::caption, view.caption);
+  draw_caption_band(stage, view.caption, page.caption);
+}
+
+}  // namespace proofreel

@@ -1,0 +1,19 @@
+#pragma once
+
+/// Lengths side by side: one bar below the other, each with its name above it.
+
+#include "scenarios/demonstrations/storyboard.h"
+
+namespace proofreel {
+
+struct Bar {
+  Role role = Role::quiet;
+  double length = 0;
+  std::string name;
+  std::string key;  ///< unless empty, its end moves there from where it was
+};
+
+/// Shows the bars in a diagram pane whose full width is `whole`, from the top down.
+void show_bars(Storyboard& board, int pane, const std::vector<Bar>& bars, double whole);
+
+}  // namespace proofreel

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "render/draw.h"
+#include "render/draw_text.h"
+#include "render/theme.h"
+#include "render/typeset.h"
+#include "scenarios/runner.h"
+#include "tests/render/painted.h"
+
+using namespace proofreel;
+using namespace proofreel::painted;
+
+namespace {
+
+std::vector<std::string> lecture_scenarios() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator("scenarios/lecture"))
+    paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+Canvas& canvas() {
+  static Canvas made(context(), 320, 180);
+  return made;
+}
+
+Image drawn(const Frame& frame, Theme theme, int width_px, int height_px) {
+  Canvas large(context(), width_px, height_px);
+  Image image;
+  draw_frame(large, frame, {theme, {}}, image);
+  return image;
+}
+
+/// The pixels of a strip that are not the background.
+int painted_pixels(const Image& image, int from_x, int from_y, int to_x, int to_y) {
+  int count = 0;
+  for (int y = from_y; y < to_y; ++y) {
+    for (int x = from_x; x < to_x; ++x) {
+      const std::uint8_t* pixel =
+          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width_px) +
+                           static_cast<std::size_t>(x))];
+      count += std::equal(pixel, pixel + 3, image.rgba.begin()) ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("A text without formulas is set as it always was") {
+  const std::string text = "A caption that is long enough for two lines, with a_1 in it";
+  const auto lines = typeset(canvas(), text, 20, 300);
+  const auto expected = wrapped(canvas(), text, 20, 300);
+  REQUIRE(lines.size() == expected.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    REQUIRE(lines[i].texts.size() == 1);
+    CHECK(lines[i].texts[0].text == expected[i]);
+    CHECK(lines[i].width == canvas().text_width(expected[i], 20));
+  }
+}
+
+TEST_CASE("A subscript is smaller and lower, a superscript smaller and higher") {
+  const TypesetLine line = typeset_line(canvas(), "$a_1b^2$", 40);
+  REQUIRE(line.texts.size() == 4);
+  CHECK(line.texts[1].size_px < 40);
+  CHECK(line.texts[1].at.y > 0);
+  CHECK(line.texts[1].at.x >= canvas().text_width("a", 40));
+  CHECK(line.texts[3].at.y < 0);
+  CHECK(line.texts[3].at.x > line.texts[2].at.x);
+  CHECK(line.width > line.texts[3].at.x);
+}
+
+TEST_CASE("A fraction stands around its line, and a vector's arrow above its letters") {
+  const TypesetLine fraction = typeset_line(canvas(), "$\\frac{1}{22}$", 40);
+  REQUIRE(fraction.strokes.size() == 1);
+  const double line = fraction.strokes[0].from.y;
+  CHECK(fraction.texts[0].at.y < line);
+  CHECK(fraction.texts[1].at.y - cap_height * fraction.texts[1].size_px > line);
+  CHECK(fraction.descent > 0);
+  const TypesetLine vector = typeset_line(canvas(), "$\\vec{AB}$", 40);
+  REQUIRE(vector.strokes.size() == 1);
+  CHECK(vector.strokes[0].arrow);
+  CHECK(vector.strokes[0].from.y < -cap_height * 40);
+  CHECK(vector.width == canvas().text_width("AB", 40));
+}
+
+TEST_CASE("Lines with formulas break at spaces and keep what hangs together") {
+  const auto lines = typeset(canvas(), "one $a = b$, two $c_1$ three", 20, 80);
+  CHECK(lines.size() >= 3);
+  for (const TypesetLine& line : lines) {
+    CHECK(line.width <= 80);
+    CHECK(line.texts.front().text != ",");
+  }
+}
+
+TEST_CASE("Every caption of the lecture films fits its band in two lines") {
+  for (const std::string& path : lecture_scenarios()) {
+    const auto scenario = load_scenario(path, {});
+    for (const Story& story : scenario->stories) {
+      for (const Step& step : story.steps) {
+        const Sizes sizes = sizes_of(720);
+        const double width = 1280 - 2 * sizes.margin - 1.6 * sizes.text;
+        INFO(path << ": " << step.caption);
+        CHECK(typeset(canvas(), step.caption, sizes.text, width).size() <= 2);
+      }
+    }
+  }
+}
+
+TEST_CASE("Nothing of a lecture film reaches into the margin") {
+  for (const std::string& path : lecture_scenarios()) {
+    const auto scenario = load_scenario(path, {});
+    Frame frame;
+    for (const double part : {0.1, 0.5, 0.999}) {
+      frame.demonstration = view_of(scenario->stories, part * scenario->duration);
+      for (const auto& [width, height] : {std::pair{640, 360}, {360, 640}, {540, 540}}) {
+        const Image image = drawn(frame, Theme::light, width, height);
+        const int margin = 8;
+        INFO(path << " " << width << "x" << height);
+        CHECK(painted_pixels(image, 0, 0, width, margin) == 0);
+        CHECK(painted_pixels(image, 0, height - margin, width, height) == 0);
+        CHECK(painted_pixels(image, 0, 0, margin, height) == 0);
+        CHECK(painted_pixels(image, width - margin, 0, width, height) == 0);
+        CHECK(painted_pixels(image, 0, 0, width, height) > 500);
+      }
+    }
+  }
+}
+
+TEST_CASE("Lecture films are gray throughout in print, and the same bytes twice") {
+  const auto scenario = load_scenario("scenarios/lecture/gjk_epa.lua", {});
+  Frame frame;
+  frame.demonstration = view_of(scenario->stories, 0.7 * scenario->duration);
+  const Image print = drawn(frame, Theme::print, 640, 360);
+  for (std::size_t i = 0; i < print.rgba.size(); i += 4) {
+    REQUIRE(print.rgba[i] == print.rgba[i + 1]);
+    REQUIRE(print.rgba[i] == print.rgba[i + 2]);
+  }
+  CHECK(drawn(frame, Theme::print, 640, 360).rgba == print.rgba);
+}
+
+TEST_CASE("A mark's role decides how it looks, and what has not appeared is not drawn") {
+  const auto picture_of = [](Role role, double presence) {
+    Frame frame;
+    frame.demonstration = DemonstrationView{};
+    frame.demonstration->panes.push_back({"", false, 1, {{0, 0}, {4, 3}}});
+    StoryMark mark;
+    mark.kind = MarkKind::path;
+    mark.role = role;
+    mark.points = {{0, 0}, {4, 3}};
+    mark.presence = presence;
+    frame.demonstration->marks.push_back(mark);
+    return drawn(frame, Theme::light, 320, 180);
+  };
+  CHECK(picture_of(Role::result, 1).rgba != picture_of(Role::alert, 1).rgba);
+  CHECK(picture_of(Role::chosen, 1).rgba != picture_of(Role::candidate, 1).rgba);
+  CHECK(picture_of(Role::result, 0).rgba == picture_of(Role::alert, 0).rgba);
+}
