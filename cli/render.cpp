@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -6,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/render_options.h"
 #include "cli/scenario_files.h"
+#include "render/video.h"
 #include "scenarios/runner.h"
 
 namespace proofreel {
@@ -23,7 +26,18 @@ struct Options {
   std::optional<std::string> preset;
   std::optional<int> crf;
   std::optional<int> fps;
+  bool transparent = false;
 };
+
+bool is_gif(const std::string& out) { return std::filesystem::path(out).extension() == ".gif"; }
+
+/// The scenario's own, or the largest that GIFs can show and that divides the rate.
+int gif_fps(const Scenario& scenario) {
+  int fps = std::min(scenario.picture.fps, most_gif_fps);
+  if (fps == scenario.picture.fps) return fps;
+  while (scenario.scene.rate % fps != 0) --fps;
+  return fps;
+}
 
 void apply(const Options& options, Picture& picture) {
   if (!options.size.empty()) picture.size = parse_size(options.size);
@@ -43,14 +57,17 @@ FilmSettings settings_of(const Options& options, const Picture& picture, FrameRa
   const std::optional<Quality> quality = quality_named(options.quality);
   if (!quality)
     throw UsageError("There is no quality \"" + options.quality + "\"; there are draft, final and lossless.");
-  return {picture.size, picture.fps, *quality, options.preset, options.crf, options.common.threads, range.first};
+  return {picture.size,           picture.fps,         *quality,   options.preset, options.crf,
+          options.common.threads, options.transparent, range.first};
 }
 
 int render(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
   apply(options, scenario->picture);
-  FilmRequest request{film_timeline(*scenario), {}, gl_backend_named(options.common.gl), options.common.threads};
+  if (is_gif(options.out) && !options.fps) scenario->picture.fps = gif_fps(*scenario);
+  FilmRequest request{
+      film_timeline(*scenario), {}, gl_backend_named(options.common.gl), options.transparent, options.common.threads};
   request.range = range_of(options, static_cast<std::int64_t>(request.timeline.size()));
   note_interrupts();
   const std::unique_ptr<Sink> sink = make_sink(options.out, settings_of(options, scenario->picture, request.range));
@@ -72,13 +89,14 @@ void add_picture_options(CLI::App& app, Options& options) {
       ->type_name("A:B");
   app.add_option("--layers", options.layers, "bodies,contacts for exactly these; +bvh,-labels for changes")
       ->type_name("LIST");
+  app.add_flag("--transparent", options.transparent, "Nothing behind what is drawn: all but .mp4");
   app.add_option("--theme", options.theme, "light, dark or print")->type_name("NAME");
 }
 
 void add_film_options(CLI::App& app, Options& options) {
   app.add_option("--quality", options.quality, "draft, final or lossless")->capture_default_str()->type_name("NAME");
   app.add_option("--preset", options.preset, "x264's preset, such as veryfast")->type_name("NAME");
-  app.add_option("--crf", options.crf, "x264's constant rate factor, 0 (best) to 51")->type_name("N");
+  app.add_option("--crf", options.crf, "Constant rate factor, 0 (best) to 51 (.webm: 63)")->type_name("N");
 }
 
 }  // namespace
@@ -89,8 +107,10 @@ Subcommand render_command(CLI::App& program) {
       add_command(program, "render", "Film a scenario, or take a picture of it",
                   "proofreel render pyramid -o pyramid.mp4 --size 1920x1080 --layers +contacts", options->common);
   app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as pyramid")->required();
-  app->add_option("-o,--output", options->out,
-                  "NAME.png (one picture), NAME%04d.png (one per frame), .mp4, .mkv, .hash, or - for raw RGBA")
+  app->add_option(
+         "-o,--output", options->out,
+         "NAME.png (one picture), NAME%04d.png (one per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .hash, or - "
+         "for raw RGBA")
       ->required()
       ->type_name("OUT");
   add_picture_options(*app, *options);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "golden/likeness.h"
 #include "golden/words.h"
@@ -10,6 +9,7 @@
 #include "render/mapped_file.h"
 #include "render/pixel_hash.h"
 #include "render/png.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
@@ -25,11 +25,7 @@ std::string figures(const Comparison& c) {
   return text.append(",").append(std::to_string(c.worst_y_px)).append(")");
 }
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
+std::string short_number(double value) { return formatted("%.2g", value); }
 
 std::string headroom(const Comparison& c, const Tolerance& tolerance) {
   return std::string("; tolerated are ")

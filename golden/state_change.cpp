@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "golden/words.h"
+#include "scenarios/formatted.h"
 
 namespace proofreel {
 namespace {
@@ -13,16 +13,15 @@ namespace {
 constexpr double degrees = 57.29577951308232;
 constexpr std::size_t most_names = 3;
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 99.5 ? "%.2g" : "%.0f", value);
-  return text;
-}
+/// Turns below this many degrees are noise beside a movement.
+constexpr double least_turn = 1e-3;
+
+std::string short_number(double value) { return formatted(value < 99.5 ? "%.2g" : "%.0f", value); }
 
 std::string text_of(const BodyMove& move) {
   std::string text;
   if (move.distance > 0) text.append("moved ").append(short_number(move.distance)).append(" m");
-  if (move.turn > 0) {
+  if (degrees * move.turn >= least_turn || (move.turn > 0 && move.distance == 0)) {
     text.append(text.empty() ? "turned " : ", turned ").append(short_number(degrees * move.turn)).append(" deg");
   }
   return text;

@@ -54,7 +54,7 @@ struct Film {
 Film draw_clip() {
   const std::unique_ptr<Scenario> scenario = load_scenario(clip, {});
   const Picture& picture = scenario->picture;
-  FilmRequest request{film_timeline(*scenario), {}, std::nullopt, 0};
+  FilmRequest request{film_timeline(*scenario), {}, std::nullopt, false, 0};
   const auto frames = static_cast<std::int64_t>(request.timeline.size());
   const std::int64_t bytes = std::int64_t{4} * picture.size.width_px * picture.size.height_px;
   const std::int64_t kept = std::clamp(free_memory() / 2 / bytes, std::int64_t{2}, frames);

@@ -5,11 +5,25 @@
 #include "render/draw_layers.h"
 
 namespace proofreel {
+namespace {
+
+/// What is drawn on nothing comes out multiplied by its alpha, and files want it as it is.
+void make_straight(Image& image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = i; c < i + 3; ++c)
+      image.rgba[c] = static_cast<std::uint8_t>(std::min(255, (image.rgba[c] * 255 + alpha / 2) / alpha));
+  }
+}
+
+}  // namespace
 
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image) {
-  canvas.clear(palette_of(style.theme).background);
+  canvas.clear(style.transparent ? Color{0, 0, 0, 0} : palette_of(style.theme).background);
   draw_layers(canvas, frame, style, nullptr);
   canvas.finish(image);
+  if (style.transparent) make_straight(image);
 }
 
 void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {

@@ -10,6 +10,7 @@ namespace proofreel {
 struct Style {
   Theme theme = Theme::light;
   std::vector<Layer> layers;
+  bool transparent = false;  ///< nothing behind what is drawn: alpha says how much of a pixel is covered
 };
 
 /// Draws one frame to fill the canvas. A pure function of its arguments. Water, captions and plots are always drawn:

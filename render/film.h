@@ -26,6 +26,7 @@ struct FilmRequest {
   std::vector<std::int64_t> timeline;  ///< the scenario's (film_timeline)
   FrameRange range;                    ///< within the timeline
   std::optional<GlBackend> gl;
+  bool transparent = false;
   int threads = 0;  ///< cores to share between drawing and encoding; 0: as many as the machine has
 };
 

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,9 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* known_endings =
-    "Known are NAME.png, NAME%04d.png (one file per frame), .mp4, .mkv, .hash (a line per frame) and - (raw RGBA on "
-    "standard output).";
-constexpr std::array<const char*, 4> planned_endings{".webm", ".gif", ".apng", ".mov"};
+    "Known are NAME.png, NAME%04d.png (one file per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .hash (a line per "
+    "frame) and - (raw RGBA on standard output).";
 
 /// An unwritable folder is to be found before anything is drawn.
 void check_writable(const std::string& path) { const OutputFile removed_at_once(path); }
@@ -119,7 +117,7 @@ class RawSink final : public Sink {
 /// Nobody compresses pictures by x264's settings.
 void check_no_film_settings(const std::string& out, const FilmSettings& settings) {
   if (!settings.preset && !settings.crf) return;
-  throw UsageError("--preset and --crf are for films in H.264, which " + (out == "-" ? "raw RGBA" : out) + " is not.");
+  throw UsageError("--preset and --crf are for films, which " + (out == "-" ? "raw RGBA" : out) + " is not.");
 }
 
 std::string ending_of(const std::string& out) { return fs::path(out).extension().string(); }
@@ -127,10 +125,6 @@ std::string ending_of(const std::string& out) { return fs::path(out).extension()
 bool has_number(const std::string& out) { return fs::path(out).filename().string().find('%') != std::string::npos; }
 
 [[noreturn]] void refuse_ending(const std::string& out) {
-  const std::string ending = ending_of(out);
-  for (const char* planned : planned_endings) {
-    if (ending == planned) throw UsageError("Writing " + ending + " is not built yet. " + known_endings);
-  }
   throw UsageError("Cannot tell from its ending what " + out + " should be. " + known_endings);
 }
 
@@ -157,7 +151,7 @@ std::unique_ptr<Sink> make_sink(const std::string& out, const FilmSettings& sett
   const std::string ending = ending_of(out);
   const bool numbered = has_number(out);
   if (numbered && ending != ".png") throw UsageError("Only pictures are numbered: NAME%04d.png, not " + out + ".");
-  if (ending == ".mp4" || ending == ".mkv") return make_video_sink(out, settings);
+  if (is_film_ending(ending)) return make_video_sink(out, settings);
   if (out != "-" && ending != ".png" && ending != ".hash") refuse_ending(out);
   check_no_film_settings(out, settings);
   if (out == "-") return std::make_unique<RawSink>();

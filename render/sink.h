@@ -23,9 +23,10 @@ class Sink {
   virtual void finish() = 0;
 };
 
-/// How well a film is encoded. draft: H.264 veryfast, crf 26; final: medium, crf 18, tuned for drawn pictures;
-/// lossless: FFV1 in .mkv (every pixel as drawn), x264 at crf 0 elsewhere (exact after the colours were halved in
-/// resolution).
+/// How well a film is encoded. draft: H.264 veryfast, crf 26, VP9 realtime, crf 36; final: H.264 medium, crf 18, tuned
+/// for drawn pictures, VP9 crf 22, ProRes 4444; lossless: every pixel as drawn in .mkv (FFV1) and .mov (QuickTime
+/// Animation), exact after the colours were halved in resolution in .mp4 and .webm. .apng is always lossless, .gif
+/// never.
 enum class Quality : std::uint8_t { draft, final, lossless };
 std::optional<Quality> quality_named(std::string_view name);
 
@@ -34,8 +35,9 @@ struct FilmSettings {
   int fps = 60;
   Quality quality = Quality::final;
   std::optional<std::string> preset;  ///< x264's, instead of the quality's
-  std::optional<int> crf;             ///< x264's constant rate factor 0..51, instead of the quality's
+  std::optional<int> crf;             ///< constant rate factor, 0..51 (VP9: 63), instead of the quality's
   int threads = 0;                    ///< of the encoder; 0: as many as it likes
+  bool transparent = false;           ///< the pictures' alpha is kept
   std::int64_t first_frame = 0;       ///< number of the first picture, in the names of a sequence
 };
 
@@ -43,7 +45,8 @@ struct FilmSettings {
 bool is_single_picture(const std::string& out);
 
 /// The sink `out` asks for: NAME.png keeps the last picture it is given, NAME%04d.png writes one file per picture
-/// (numbered by film frame), .mp4 and .mkv are films, .hash is one line of frame number and pixel hash per picture, and
+/// (numbered by film frame), .mp4, .webm, .gif, .apng, .mov and .mkv are films, .hash is one line of frame number and
+/// pixel hash per picture, and
 /// - is raw RGBA on standard output. Throws UsageError for other endings, sizes a film cannot have and settings that do
 /// not fit, before anything is drawn or written.
 std::unique_ptr<Sink> make_sink(const std::string& out, const FilmSettings& settings);

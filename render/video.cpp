@@ -7,6 +7,8 @@
 
 #include "render/context.h"
 #include "render/output_file.h"
+#include "render/palette.h"
+#include "render/png.h"
 #include "render/video_encoder.h"
 #include "render/video_file.h"
 
@@ -16,18 +18,15 @@ namespace {
 constexpr std::array<const char*, 10> x264_presets{"ultrafast", "superfast", "veryfast", "faster",   "fast",
                                                    "medium",    "slow",      "slower",   "veryslow", "placebo"};
 
-bool is_matroska(const std::string& path) { return std::filesystem::path(path).extension() == ".mkv"; }
-
-bool is_ffv1(const std::string& path, const FilmSettings& settings) {
-  return is_matroska(path) && settings.quality == Quality::lossless;
-}
+std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 void check_size(const std::string& path, Size size) {
   if (size.width_px % 2 == 0 && size.height_px % 2 == 0) return;
   const Size even{size.width_px + size.width_px % 2, size.height_px + size.height_px % 2};
-  throw UsageError("A film needs an even width and height, because H.264 stores colour at half the resolution: " +
-                   path + " cannot be " + std::to_string(size.width_px) + "x" + std::to_string(size.height_px) +
-                   ", but " + std::to_string(even.width_px) + "x" + std::to_string(even.height_px) + " works.");
+  throw UsageError("A film needs an even width and height, because " + ending_of(path) +
+                   " stores colour at half the resolution: " + path + " cannot be " + std::to_string(size.width_px) +
+                   "x" + std::to_string(size.height_px) + ", but " + std::to_string(even.width_px) + "x" +
+                   std::to_string(even.height_px) + " works.");
 }
 
 void check_preset(const std::string& preset) {
@@ -37,20 +36,30 @@ void check_preset(const std::string& preset) {
   throw UsageError("There is no preset \"" + preset + "\"; x264 has " + known + ".");
 }
 
-void check_settings(const std::string& path, const FilmSettings& settings) {
-  if (is_ffv1(path, settings)) {
-    if (!settings.preset && !settings.crf) return;
-    throw UsageError("--preset and --crf are for H.264; lossless .mkv is FFV1, which has neither.");
-  }
-  check_size(path, settings.size);
-  if (settings.preset) check_preset(*settings.preset);
-  if (settings.crf && (*settings.crf < 0 || *settings.crf > 51)) {
-    throw UsageError("--crf goes from 0 (best) to 51, not " + std::to_string(*settings.crf) + ".");
-  }
+void check_crf(const std::string& path, av::FilmCodec codec, const FilmSettings& settings) {
+  if (!settings.crf) return;
+  if (!av::takes_crf(codec, settings.quality))
+    throw UsageError("--crf is for .mp4, .webm and .mkv at other than lossless quality, which " + path + " is not.");
+  const int most = av::highest_crf(codec);
+  if (*settings.crf >= 0 && *settings.crf <= most) return;
+  throw UsageError("--crf goes from 0 (best) to " + std::to_string(most) + ", not " + std::to_string(*settings.crf) +
+                   ".");
 }
 
-av::Layout layout_of(const std::string& path) {
-  return is_matroska(path) ? av::Layout::matroska : av::Layout::fragmented_mp4;
+void check_settings(const std::string& path, av::FilmCodec codec, const FilmSettings& settings) {
+  if (settings.transparent && !av::may_be_transparent(codec)) {
+    throw UsageError("H.264 knows no transparency: make " + path +
+                     " a .webm, .mov, .apng, .gif or, with --quality lossless, .mkv.");
+  }
+  if (av::halves_colour(codec)) check_size(path, settings.size);
+  if (settings.preset && !av::takes_preset(codec))
+    throw UsageError("--preset is for films in H.264 (.mp4, .mkv), which " + path + " is not.");
+  if (settings.preset) check_preset(*settings.preset);
+  check_crf(path, codec, settings);
+  if (codec == av::FilmCodec::gif && settings.fps > most_gif_fps) {
+    throw UsageError("A GIF cannot show more than " + std::to_string(most_gif_fps) + " frames per second, so not " +
+                     std::to_string(settings.fps) + ".");
+  }
 }
 
 AVCodecParameters* parameters_of(const AVCodecContext& context) {
@@ -67,14 +76,14 @@ struct FreeParameters {
 av::Writer writer_for(const OutputFile& file, const av::Encoder& encoder) {
   const AVCodecContext& context = encoder.context();
   const std::unique_ptr<AVCodecParameters, FreeParameters> parameters(parameters_of(context));
-  return {file.temporary_path(), file.path(),       layout_of(file.path()),
-          *parameters,           context.time_base, context.framerate};
+  const auto layout = ending_of(file.path()) == ".mp4" ? av::Layout::fragmented_mp4 : av::Layout::plain;
+  return {file.temporary_path(), file.path(), layout, *parameters, context.time_base, context.framerate};
 }
 
 class VideoSink final : public Sink {
  public:
-  VideoSink(const std::string& path, const FilmSettings& settings)
-      : encoder_(settings, is_ffv1(path, settings), true), file_(path), writer_(writer_for(file_, encoder_)) {}
+  VideoSink(const std::string& path, av::FilmCodec codec, const FilmSettings& settings)
+      : encoder_(settings, codec), file_(path), writer_(writer_for(file_, encoder_)) {}
 
   void frame(const Image& image) override {
     encoder_.encode(image, [this](AVPacket& packet) { writer_.write(packet); });
@@ -83,7 +92,7 @@ class VideoSink final : public Sink {
   void finish() override {
     encoder_.flush([this](AVPacket& packet) { writer_.write(packet); });
     writer_.finish();
-    if (is_matroska(file_.path())) return file_.publish();
+    if (ending_of(file_.path()) != ".mp4") return file_.publish();
     OutputFile finished(file_.path());
     av::finish_mp4(file_.temporary_path(), finished.temporary_path(), file_.path());
     finished.publish();
@@ -95,24 +104,68 @@ class VideoSink final : public Sink {
   av::Writer writer_;
 };
 
+/// A GIF has one palette for the whole film, which is known when all of it has been seen: until then the pictures wait,
+/// packed as PNG (drawn pictures shrink to a fiftieth).
+class GifSink final : public Sink {
+ public:
+  GifSink(const std::string& path, const FilmSettings& settings)
+      : encoder_(settings, av::FilmCodec::gif), file_(path), writer_(writer_for(file_, encoder_)) {}
+
+  void frame(const Image& image) override {
+    counts_.add(image);
+    pictures_.push_back(encode_png(image));
+  }
+
+  void finish() override {
+    const auto write = [this](AVPacket& packet) { writer_.write(packet); };
+    Palette palette(counts_);
+    for (const std::vector<std::uint8_t>& png : pictures_)
+      encoder_.encode_indexed(palette.dithered(decode_png(png, file_.path())), palette.colors(), write);
+    encoder_.flush(write);
+    writer_.finish();
+    file_.publish();
+  }
+
+ private:
+  av::Encoder encoder_;
+  OutputFile file_;
+  av::Writer writer_;
+  ColorCounts counts_;
+  std::vector<std::vector<std::uint8_t>> pictures_;
+};
+
+constexpr const char* full_ffmpeg = "install Debian's libavcodec59, or a full FFmpeg";
+
 struct KnownEncoder {
   const char* name;
   const char* purpose;
   const char* package;
 };
-constexpr std::array<KnownEncoder, 2> known_encoders{{
+constexpr std::array<KnownEncoder, 7> known_encoders{{
     {"libx264", "H.264 (.mp4, .mkv)", "install Debian's libavcodec59, or an FFmpeg built with --enable-libx264"},
-    {"ffv1", "FFV1, lossless (.mkv)", "install Debian's libavcodec59, or a full FFmpeg"},
+    {"libvpx-vp9", "VP9 (.webm)", "install Debian's libavcodec59, or an FFmpeg built with --enable-libvpx"},
+    {"prores_ks", "ProRes 4444 (.mov)", full_ffmpeg},
+    {"qtrle", "QuickTime Animation, lossless (.mov)", full_ffmpeg},
+    {"ffv1", "FFV1, lossless (.mkv)", full_ffmpeg},
+    {"apng", "animated PNG, lossless (.apng)", full_ffmpeg},
+    {"gif", "GIF (.gif)", full_ffmpeg},
 }};
 
 bool available(const char* name) { return avcodec_find_encoder_by_name(name) != nullptr; }
 
 }  // namespace
 
+bool is_film_ending(const std::string& ending) {
+  constexpr std::array<const char*, 6> endings{".mp4", ".mkv", ".webm", ".mov", ".gif", ".apng"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
 std::unique_ptr<Sink> make_video_sink(const std::string& path, const FilmSettings& settings) {
   av_log_set_level(AV_LOG_QUIET);  // what goes wrong is said once, as an error of ours
-  check_settings(path, settings);
-  return std::make_unique<VideoSink>(path, settings);
+  const av::FilmCodec codec = av::codec_of(ending_of(path), settings.quality);
+  check_settings(path, codec, settings);
+  if (codec == av::FilmCodec::gif) return std::make_unique<GifSink>(path, settings);
+  return std::make_unique<VideoSink>(path, codec, settings);
 }
 
 std::vector<VideoEncoder> video_encoders() {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Films through FFmpeg's libraries: H.264 in MP4 and Matroska, FFV1 in Matroska. Nothing else includes libav*.
+/// Films through FFmpeg's libraries. Nothing but render/video* includes libav*.
 
 #include <memory>
 #include <string>
@@ -9,6 +9,12 @@
 #include "render/sink.h"
 
 namespace proofreel {
+
+/// True for the endings of films that can be made: .mp4 .mkv .webm .mov .gif .apng.
+bool is_film_ending(const std::string& ending);
+
+/// Delays in a GIF are whole hundredths of a second, and players take one of them for ten.
+inline constexpr int most_gif_fps = 50;
 
 /// A film file that appears when it is finished. An MP4 is written in fragments of about a second first, so that what a
 /// killed run leaves behind still plays up to there, and then rearranged so that it starts playing while it loads.

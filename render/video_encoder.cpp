@@ -1,7 +1,9 @@
 #include "render/video_encoder.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstring>
 #include <new>
 
 #include "render/context.h"
@@ -11,58 +13,8 @@
 namespace proofreel::av {
 namespace {
 
-struct X264Defaults {
-  const char* preset;
-  int crf;
-  const char* tune;  ///< null: none
-};
-
-X264Defaults defaults_of(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return {"veryfast", 26, nullptr};
-    case Quality::final:
-      return {"medium", 18, "animation"};
-    case Quality::lossless:
-      return {"medium", 0, nullptr};
-  }
-  return {};
-}
-
-void set(AVCodecContext& context, const char* option, const std::string& value) {
-  check(av_opt_set(context.priv_data, option, value.c_str(), 0), std::string("set the encoder's ").append(option));
-}
-
-void configure_x264(AVCodecContext& context, const FilmSettings& settings) {
-  const X264Defaults defaults = defaults_of(settings.quality);
-  context.pix_fmt = AV_PIX_FMT_YUV420P;
-  context.color_range = AVCOL_RANGE_MPEG;
-  context.colorspace = AVCOL_SPC_BT709;
-  context.color_primaries = AVCOL_PRI_BT709;
-  context.color_trc = AVCOL_TRC_BT709;
-  context.chroma_sample_location = AVCHROMA_LOC_CENTER;  // where convert_to_yuv420 puts it
-  context.gop_size = settings.fps;  // a key frame per second: lecturers jump about, and fragments end there
-  set(context, "preset", settings.preset.value_or(defaults.preset));
-  set(context, "crf", std::to_string(settings.crf.value_or(defaults.crf)));
-  // Looking further ahead than 10 frames buys nothing on drawn pictures (the films came out 3 % larger) and takes 5 MB
-  // of memory per 1080p frame; a lookahead thread of its own would keep as many again.
-  set(context, "x264-params", "rc-lookahead=10:sync-lookahead=0");
-  if (defaults.tune != nullptr) set(context, "tune", defaults.tune);
-}
-
-void configure_ffv1(AVCodecContext& context) {
-  context.pix_fmt = AV_PIX_FMT_BGR0;
-  context.color_range = AVCOL_RANGE_JPEG;
-  context.colorspace = AVCOL_SPC_RGB;
-  context.color_primaries = AVCOL_PRI_BT709;
-  context.color_trc = AVCOL_TRC_IEC61966_2_1;
-  context.gop_size = 1;  // every frame on its own: any cut is exact
-  context.level = 3;
-  context.slices = 4;
-}
-
-Codec open(const FilmSettings& settings, bool ffv1, bool global_header) {
-  const char* name = ffv1 ? "ffv1" : "libx264";
+Codec open(const FilmSettings& settings, FilmCodec film_codec) {
+  const char* name = encoder_name(film_codec);
   require_encoder(name);
   const AVCodec* codec = avcodec_find_encoder_by_name(name);
   Codec context(avcodec_alloc_context3(codec));
@@ -72,12 +24,8 @@ Codec open(const FilmSettings& settings, bool ffv1, bool global_header) {
   context->time_base = {1, settings.fps};
   context->framerate = {settings.fps, 1};
   context->thread_count = settings.threads;
-  if (global_header) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-  if (ffv1) {
-    configure_ffv1(*context);
-  } else {
-    configure_x264(*context, settings);
-  }
+  context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;  // all these containers want the codec's parameters in one place
+  set_up(*context, film_codec, settings);
   check(avcodec_open2(context.get(), codec, nullptr), std::string("open the encoder ").append(name));
   return context;
 }
@@ -88,30 +36,33 @@ Frame picture_for(const AVCodecContext& context) {
   frame->format = context.pix_fmt;
   frame->width = context.width;
   frame->height = context.height;
+  frame->color_range = context.color_range;  // some encoders look here, and not at the context
+  frame->colorspace = context.colorspace;
+  frame->color_primaries = context.color_primaries;
+  frame->color_trc = context.color_trc;
   check(av_frame_get_buffer(frame.get(), 0), "allocate a frame");
   return frame;
 }
 
-void copy_as_bgr(const Image& image, AVFrame& out) {
-  const std::size_t row_bytes = static_cast<std::size_t>(image.width_px) * 4;
-  for (int row = 0; row < image.height_px; ++row) {
-    const std::uint8_t* from = image.rgba.data() + static_cast<std::size_t>(row) * row_bytes;
-    std::uint8_t* to = out.data[0] + static_cast<std::ptrdiff_t>(row) * out.linesize[0];
-    for (std::size_t i = 0; i < row_bytes; i += 4) {
-      to[i] = from[i + 2];
-      to[i + 1] = from[i + 1];
-      to[i + 2] = from[i];
-      to[i + 3] = 0;
-    }
+void copy_alpha(const Image& image, std::uint8_t* to, int stride) {
+  for (int y = 0; y < image.height_px; ++y, to += stride) {
+    const std::uint8_t* from = image.row(y) + 3;
+    for (int x = 0; x < image.width_px; ++x) to[x] = from[4 * x];
   }
 }
 
-void convert(const Image& image, AVFrame& out) {
-  if (out.format == AV_PIX_FMT_YUV420P) {
-    convert_to_yuv420(image, {out.data[0], out.data[1], out.data[2], out.linesize[0], out.linesize[1]});
-  } else {
-    copy_as_bgr(image, out);
-  }
+/// By swscale: into other orders of RGB, and exactly into what keeps colours at full resolution.
+void convert_by_swscale(const Image& image, AVFrame& out, std::unique_ptr<SwsContext, FreeScaler>& scaler) {
+  const auto format = static_cast<AVPixelFormat>(out.format);
+  scaler.reset(sws_getCachedContext(scaler.release(), out.width, out.height, AV_PIX_FMT_RGBA, out.width, out.height,
+                                    format, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_BITEXACT, nullptr,
+                                    nullptr, nullptr));
+  check_allocated(scaler.get());
+  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  sws_setColorspaceDetails(scaler.get(), bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
+  const std::array<const std::uint8_t*, 1> from{image.rgba.data()};
+  const std::array<int, 1> stride{static_cast<int>(image.row_bytes())};
+  check(sws_scale(scaler.get(), from.data(), stride.data(), 0, out.height, out.data, out.linesize), "convert a frame");
 }
 
 }  // namespace
@@ -127,15 +78,40 @@ void check_allocated(const void* pointer) {
   if (pointer == nullptr) throw std::bad_alloc();
 }
 
-Encoder::Encoder(const FilmSettings& settings, bool ffv1, bool global_header)
-    : context_(open(settings, ffv1, global_header)), frame_(picture_for(*context_)), packet_(av_packet_alloc()) {
+Encoder::Encoder(const FilmSettings& settings, FilmCodec codec)
+    : context_(open(settings, codec)), frame_(picture_for(*context_)), packet_(av_packet_alloc()) {
   check_allocated(packet_.get());
+}
+
+void Encoder::convert(const Image& image) {
+  AVFrame& out = *frame_;
+  if (out.format != AV_PIX_FMT_YUV420P && out.format != AV_PIX_FMT_YUVA420P)
+    return convert_by_swscale(image, out, scaler_);
+  convert_to_yuv420(image, {out.data[0], out.data[1], out.data[2], out.linesize[0], out.linesize[1]});
+  if (out.format == AV_PIX_FMT_YUVA420P) copy_alpha(image, out.data[3], out.linesize[3]);
 }
 
 void Encoder::encode(const Image& image, const PacketTaker& take) {
   assert(image.width_px == context_->width && image.height_px == context_->height);
   check(av_frame_make_writable(frame_.get()), "allocate a frame");
-  convert(image, *frame_);
+  convert(image);
+  send(take);
+}
+
+void Encoder::encode_indexed(std::span<const std::uint8_t> indices, std::span<const std::uint32_t> palette,
+                             const PacketTaker& take) {
+  check(av_frame_make_writable(frame_.get()), "allocate a frame");
+  const auto width = static_cast<std::size_t>(frame_->width);
+  for (int y = 0; y < frame_->height; ++y) {
+    const std::uint8_t* row = indices.data() + static_cast<std::size_t>(y) * width;
+    std::copy_n(row, width, frame_->data[0] + static_cast<std::ptrdiff_t>(y) * frame_->linesize[0]);
+  }
+  std::memset(frame_->data[1], 0, AVPALETTE_SIZE);
+  std::memcpy(frame_->data[1], palette.data(), palette.size_bytes());
+  send(take);
+}
+
+void Encoder::send(const PacketTaker& take) {
   frame_->pts = frames_++;
   check(avcodec_send_frame(context_.get(), frame_.get()), "encode a frame");
   drain(take);

@@ -1,5 +1,9 @@
 #include "render/video_file.h"
 
+#include <filesystem>
+
+#include "render/video_codec.h"
+
 namespace proofreel::av {
 namespace {
 
@@ -8,10 +12,17 @@ struct CloseInput {
 };
 using Input = std::unique_ptr<AVFormatContext, CloseInput>;
 
-const char* format_name(Layout layout) { return layout == Layout::matroska ? "matroska" : "mp4"; }
+void set(AVFormatContext& format, const char* option, const char* value) {
+  check(av_opt_set(format.priv_data, option, value, 0), std::string("set up ").append(format.oformat->name));
+}
 
 const char* movie_flags(Layout layout) {
   return layout == Layout::fragmented_mp4 ? "frag_keyframe+empty_moov+default_base_moof" : "faststart";
+}
+
+void set_up(AVFormatContext& format, const std::string& ending, Layout layout) {
+  if (ending == ".mp4" || ending == ".mov") set(format, "movflags", movie_flags(layout));
+  if (ending == ".apng") set(format, "plays", "0");  // for ever, as GIFs do unless told
 }
 
 Input open_input(const std::string& path, const std::string& name) {
@@ -31,7 +42,9 @@ Writer::Writer(const std::string& path, std::string name, Layout layout, const A
                AVRational time_base, AVRational frame_rate)
     : name_(std::move(name)), time_base_(time_base) {
   AVFormatContext* format = nullptr;
-  check(avformat_alloc_output_context2(&format, nullptr, format_name(layout), path.c_str()), "write " + name_);
+  const std::string ending = std::filesystem::path(name_).extension().string();
+  check(avformat_alloc_output_context2(&format, nullptr, container_name(ending).c_str(), path.c_str()),
+        "write " + name_);
   format_.reset(format);
   AVStream* stream = avformat_new_stream(format, nullptr);
   check_allocated(stream);
@@ -40,8 +53,7 @@ Writer::Writer(const std::string& path, std::string name, Layout layout, const A
   stream->time_base = time_base;
   stream->avg_frame_rate = frame_rate;
   check(avio_open(&format->pb, path.c_str(), AVIO_FLAG_WRITE), "write " + name_);
-  if (layout != Layout::matroska)
-    check(av_opt_set(format->priv_data, "movflags", movie_flags(layout), 0), "set up MP4");
+  set_up(*format, ending, layout);
   format->flags |= AVFMT_FLAG_FLUSH_PACKETS;  // nothing whole stays behind in memory when the program is killed
   check(avformat_write_header(format, nullptr), "write " + name_);
 }

@@ -10,7 +10,7 @@
 namespace proofreel::av {
 
 enum class Layout {
-  matroska,
+  plain,           ///< as the container is written
   fragmented_mp4,  ///< readable up to the last whole fragment at any time
   finished_mp4     ///< index first, for players that start before all has loaded
 };
@@ -18,7 +18,8 @@ enum class Layout {
 /// A container file with one video track.
 class Writer {
  public:
-  /// `path` is what is opened, `name` what errors call it. `time_base` is the unit packets count time in.
+  /// `path` is what is opened, `name` what errors call it and whose ending says which container it is. `time_base` is
+  /// the unit packets count time in.
   Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track, AVRational time_base,
          AVRational frame_rate);
   void write(AVPacket& packet);

@@ -1,9 +1,5 @@
 #include "render/video_reader.h"
 
-extern "C" {
-#include <libswscale/swscale.h>
-}
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -19,9 +15,6 @@ constexpr const char* known_formats = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,gif
 
 struct CloseInput {
   void operator()(AVFormatContext* p) const { avformat_close_input(&p); }
-};
-struct FreeScaler {
-  void operator()(SwsContext* p) const { sws_freeContext(p); }
 };
 
 [[noreturn]] void fail(const std::string& path, int code) {
@@ -61,7 +54,7 @@ struct VideoReader::Impl {
   av::Codec decoder;
   av::Frame frame{av_frame_alloc()};
   av::Packet packet{av_packet_alloc()};
-  std::unique_ptr<SwsContext, FreeScaler> scaler;
+  std::unique_ptr<SwsContext, av::FreeScaler> scaler;
   bool ended = false;
 
   explicit Impl(std::string name) : path(std::move(name)), format(open_film(path)) {

@@ -61,6 +61,31 @@ TEST_CASE("--size, --fps and --frames say what is made", "[cli]") {
   REQUIRE(read_png(c / "odd.png").width_px == 33);
 }
 
+TEST_CASE("A GIF takes the most frames per second that GIFs can show and the rate is divided by", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "a.gif"}).status == 0);
+  const DecodedFilm film = decode_film(c / "a.gif");
+  REQUIRE(film.times_s[1] <= 0.05);
+  REQUIRE(film.times_s.back() < 0.5);
+  REQUIRE(film.times_s.back() + film.times_s[1] >= 0.49);
+}
+
+TEST_CASE("Behind what is drawn there may be nothing", "[cli]") {
+  const BallCollection c;
+  REQUIRE(c.render({"-o", "a.png", "--transparent", "--layers", "bodies"}).status == 0);
+  const Image image = read_png(c / "a.png");
+  REQUIRE(image.rgba[3] == 0);
+  std::size_t covered = 0;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) covered += image.rgba[i] == 255 ? 1 : 0;
+  REQUIRE(covered > 30);
+  REQUIRE(c.render({"-o", "b.png", "--layers", "bodies"}).status == 0);
+  const Image opaque = read_png(c / "b.png");
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] != 255) continue;
+    REQUIRE(std::equal(image.rgba.data() + i, image.rgba.data() + i + 4, opaque.rgba.data() + i));
+  }
+}
+
 TEST_CASE("A sequence has one PNG per frame, the same pictures as asked for singly", "[cli]") {
   const BallCollection c;
   fs::create_directories(c / "out");
@@ -130,12 +155,13 @@ TEST_CASE("Values that make no sense exit with 2 and leave no file", "[cli]") {
       {{"-o", "a.mp4", "--frames", "nan:3"}, "nan:3"},
       {{"-o", "a.mp4", "--crf", "99"}, "51"},
       {{"-o", "a.mp4", "--crf", "nan"}, "crf"},
-      {{"-o", "a.png", "--crf", "20"}, "--preset and --crf are for films in H.264, which a.png is not."},
+      {{"-o", "a.png", "--crf", "20"}, "--preset and --crf are for films, which a.png is not."},
       {{"-o", "a_%04d.png", "--crf", "20"}, "for films"},
       {{"-o", "a.hash", "--preset", "veryfast"}, "for films"},
       {{"-o", "-", "--crf", "0"}, "which raw RGBA is not"},
       {{"-o", "a.avi"}, "a.avi"},
-      {{"-o", "a.gif"}, "not built yet"},
+      {{"-o", "a.gif", "--fps", "60"}, "50"},
+      {{"-o", "a.mp4", "--transparent"}, "H.264 knows no transparency"},
       {{"-o", "%s.png"}, "%04d"},
       {{}, "--output"},
   };

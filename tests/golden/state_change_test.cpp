@@ -29,6 +29,8 @@ TEST_CASE("The body that moved farthest is told, with its turn in degrees and ho
   CHECK(sentence(then_with({a, b, c}), now_with({a, {2, "b", 5, 0, -0.2}, c})) == "b turned 11 deg");
   CHECK(sentence(then_with({a, b, c}), now_with({{1, "a", 0.1, 0, 0}, b, {3, "c", 9, 150, 3.14159265}})) ==
         "c moved 150 m, turned 180 deg, the farthest of 2 bodies");
+  CHECK(sentence(then_with({a}), now_with({{1, "a", 0.3, 0.4, 1e-9}})) == "a moved 0.5 m");
+  CHECK(sentence(then_with({a}), now_with({{1, "a", 0, 0, 1e-9}})) == "a turned 5.7e-08 deg");
 }
 
 TEST_CASE("Bodies that came and went, and contacts that did, are named; of many, three", "[state_change]") {

@@ -82,7 +82,9 @@ DecodedFilm decode_film(const std::string& path) {
   const AVStream& stream = *format->streams[0];
   DecodedFilm film;
   describe(*format, stream, film);
-  const AVCodec* codec = avcodec_find_decoder(stream.codecpar->codec_id);
+  // FFmpeg's own decoder of VP9 leaves the alpha track out.
+  const AVCodec* codec = stream.codecpar->codec_id == AV_CODEC_ID_VP9 ? avcodec_find_decoder_by_name("libvpx-vp9")
+                                                                      : avcodec_find_decoder(stream.codecpar->codec_id);
   const std::unique_ptr<AVCodecContext, Free> decoder(avcodec_alloc_context3(codec));
   check(avcodec_parameters_to_context(decoder.get(), stream.codecpar), "the film's codec is unknown");
   decoder->err_recognition = AV_EF_EXPLODE;

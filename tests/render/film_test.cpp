@@ -40,7 +40,7 @@ class HashList final : public Sink {
   std::size_t fails_at_;
 };
 
-FilmRequest whole_film(const Scenario& scenario) { return {film_timeline(scenario), {0, 29}, std::nullopt, 0}; }
+FilmRequest whole_film(const Scenario& scenario) { return {film_timeline(scenario), {0, 29}, std::nullopt, false, 0}; }
 
 HashList film(Scenario& scenario, FrameRange range) {
   HashList sink;

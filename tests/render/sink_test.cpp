@@ -78,13 +78,8 @@ TEST_CASE("Pictures of other shape have other hashes though their bytes are equa
   REQUIRE(pixel_hash(Image(2, 8)) != pixel_hash(Image(8, 2)));
 }
 
-TEST_CASE("Endings that are planned are named so, unknown ones get the list", "[sink]") {
+TEST_CASE("Unknown endings get the list of those that are known", "[sink]") {
   const ScratchFolder folder;
-  for (const char* ending : {".webm", ".gif", ".apng", ".mov"}) {
-    const std::string out = folder / std::string("a").append(ending);
-    REQUIRE_THROWS_AS(make_sink(out, settings_for(2, 2)), UsageError);
-    REQUIRE_THROWS_WITH(make_sink(out, settings_for(2, 2)), Contains(ending) && Contains("not built yet"));
-  }
   for (const char* name : {"a.avi", "a", "a.mp4.txt", ".mp4"}) {
     CAPTURE(name);
     REQUIRE_THROWS_WITH(make_sink(folder / name, settings_for(2, 2)), Contains(name) && Contains(".mkv"));
