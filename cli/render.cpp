@@ -10,6 +10,7 @@
 #include "cli/scenario_files.h"
 #include "render/video.h"
 #include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {
@@ -27,6 +28,7 @@ struct Options {
   std::optional<int> crf;
   std::optional<int> fps;
   bool transparent = false;
+  bool stills = false;
 };
 
 bool is_gif(const std::string& out) { return std::filesystem::path(out).extension() == ".gif"; }
@@ -53,24 +55,53 @@ FrameRange range_of(const Options& options, std::int64_t film_length) {
   return range;
 }
 
-FilmSettings settings_of(const Options& options, const Picture& picture, FrameRange range) {
-  const std::optional<Quality> quality = quality_named(options.quality);
-  if (!quality)
-    throw UsageError("There is no quality \"" + options.quality + "\"; there are draft, final and lossless.");
-  return {picture.size,           picture.fps,         *quality,   options.preset, options.crf,
-          options.common.threads, options.transparent, range.first};
+Quality quality_of(const Options& options) {
+  if (const std::optional<Quality> quality = quality_named(options.quality)) return *quality;
+  throw UsageError("There is no quality \"" + options.quality + "\"; there are draft, final and lossless.");
+}
+
+/// What of the sections lies within the frames that are filmed, counted from the first of them.
+std::vector<Chapter> chapters_of(const std::vector<FilmSection>& sections, FrameRange range) {
+  std::vector<Chapter> chapters;
+  for (const FilmSection& section : sections) {
+    const std::int64_t first = std::max(section.first, range.first), last = std::min(section.last, range.last);
+    if (first <= last) chapters.push_back({section.name, first - range.first, last - range.first});
+  }
+  return chapters;
+}
+
+/// The last frame of every section: what it has led to.
+std::vector<std::int64_t> stills_of(const Options& options, const std::string& path,
+                                    const std::vector<FilmSection>& sections) {
+  if (options.out.find('%') == std::string::npos)
+    throw UsageError("--stills makes a picture per section: name them -o NAME%02d.png.");
+  if (sections.empty()) throw UsageError("--stills: " + path + " has no section{at=, name=}.");
+  std::vector<std::int64_t> frames;
+  for (const FilmSection& section : sections) frames.push_back(section.last);
+  return frames;
 }
 
 int render(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
-  apply(options, scenario->picture);
-  if (is_gif(options.out) && !options.fps) scenario->picture.fps = gif_fps(*scenario);
+  Picture& picture = scenario->picture;
+  apply(options, picture);
+  if (is_gif(options.out) && !options.fps) picture.fps = gif_fps(*scenario);
   FilmRequest request{
       film_timeline(*scenario), {}, gl_backend_named(options.common.gl), options.transparent, options.common.threads};
-  request.range = range_of(options, static_cast<std::int64_t>(request.timeline.size()));
+  const FrameRange range = range_of(options, static_cast<std::int64_t>(request.timeline.size()));
+  const std::vector<FilmSection> sections = film_sections(*scenario, request.timeline);
+  request.frames = options.stills ? stills_of(options, scenario->path, sections) : range.frames();
   note_interrupts();
-  const std::unique_ptr<Sink> sink = make_sink(options.out, settings_of(options, scenario->picture, request.range));
+  const std::unique_ptr<Sink> sink = make_sink(options.out, {.size = picture.size,
+                                                             .fps = picture.fps,
+                                                             .quality = quality_of(options),
+                                                             .preset = options.preset,
+                                                             .crf = options.crf,
+                                                             .threads = options.common.threads,
+                                                             .transparent = options.transparent,
+                                                             .chapters = chapters_of(sections, range),
+                                                             .first_frame = options.stills ? 1 : range.first});
   ProgressLine line("frames", options.common.quiet);
   const auto progress = [&line](std::int64_t done, std::int64_t total) {
     stop_if_interrupted();
@@ -85,8 +116,10 @@ void add_picture_options(CLI::App& app, Options& options) {
   app.add_option("--fps", options.fps, "Frames per second; must divide the scenario's rate")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--frames", options.frames, "Only these film frames, both included: 0:59, or one: 30")
-      ->type_name("A:B");
+  CLI::Option* frames =
+      app.add_option("--frames", options.frames, "Only these film frames, both included: 0:59, or one: 30")
+          ->type_name("A:B");
+  app.add_flag("--stills", options.stills, "The last frame of every section, to NAME%02d.png")->excludes(frames);
   app.add_option("--layers", options.layers, "bodies,contacts for exactly these; +bvh,-labels for changes")
       ->type_name("LIST");
   app.add_flag("--transparent", options.transparent, "Nothing behind what is drawn: all but .mp4");

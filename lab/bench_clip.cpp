@@ -58,10 +58,10 @@ Film draw_clip() {
   const auto frames = static_cast<std::int64_t>(request.timeline.size());
   const std::int64_t bytes = std::int64_t{4} * picture.size.width_px * picture.size.height_px;
   const std::int64_t kept = std::clamp(free_memory() / 2 / bytes, std::int64_t{2}, frames);
-  request.range = {0, kept - 1};
+  request.frames = FrameRange{0, kept - 1}.frames();
   KeepingSink sink(static_cast<std::size_t>(kept));
   render_film(*scenario, request, sink, {});
-  return {sink.take(), frames, {picture.size, picture.fps, Quality::final, preset, crf, 0, 0}};
+  return {sink.take(), frames, {.size = picture.size, .fps = picture.fps, .preset = preset, .crf = crf}};
 }
 
 /// Too few images are played forth and back: no cut, which would cost the encoder more.

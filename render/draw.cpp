@@ -40,6 +40,7 @@ void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::ve
   if (shows(Layer::grid)) draw_grid(stage);
   draw_water(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, true);
+  if (shows(Layer::trails)) draw_ghosts(stage);
   if (shows(Layer::trails)) draw_trails(stage);
   if (shows(Layer::bodies)) draw_bodies(stage, false);
   draw_water_line(stage);

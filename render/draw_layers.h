@@ -71,6 +71,8 @@ void draw_water(const Stage& stage);
 /// The surface again, over the bodies: how deep they lie is what one looks for.
 void draw_water_line(const Stage& stage);
 void draw_bodies(const Stage& stage, bool fixed_ones);
+/// Pale copies of bodies where they stood at even times.
+void draw_ghosts(const Stage& stage);
 /// Where the bodies of several shapes are put together: concave outlines show the convex parts they were cut into.
 void draw_parts(const Stage& stage);
 void draw_tree(const Stage& stage);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <string>
 #include <thread>
 
@@ -52,12 +53,13 @@ class FilmPipeline {
 
  private:
   void film(const Progress& progress) {
-    const FrameRange range = request_.range;
+    const auto total = static_cast<std::int64_t>(request_.frames.size());
     Runner runner(scenario_);
-    for (std::int64_t i = range.first; i <= range.last; ++i) {
+    std::int64_t done = 0;
+    for (const std::int64_t i : request_.frames) {
       while (runner.tick() < request_.timeline[static_cast<std::size_t>(i)]) runner.step();
       if (!frames_.push(runner.frame(i))) return;
-      if (progress) progress(i - range.first + 1, range.count());
+      if (progress) progress(++done, total);
     }
     frames_.close();
   }
@@ -108,6 +110,12 @@ class FilmPipeline {
 };
 
 }  // namespace
+
+std::vector<std::int64_t> FrameRange::frames() const {
+  std::vector<std::int64_t> list(static_cast<std::size_t>(last - first + 1));
+  std::iota(list.begin(), list.end(), first);
+  return list;
+}
 
 void render_film(Scenario& scenario, const FilmRequest& request, Sink& sink, const Progress& progress) {
   const int machine_cores = static_cast<int>(std::thread::hardware_concurrency());

@@ -15,7 +15,7 @@ namespace proofreel {
 struct FrameRange {
   std::int64_t first = 0;
   std::int64_t last = 0;
-  std::int64_t count() const { return last - first + 1; }
+  std::vector<std::int64_t> frames() const;
 };
 
 /// Called on the caller's thread after every frame handed on; may throw to stop the film.
@@ -24,14 +24,14 @@ using Progress = std::function<void(std::int64_t done, std::int64_t total)>;
 /// What of a scenario is filmed, and with what means.
 struct FilmRequest {
   std::vector<std::int64_t> timeline;  ///< the scenario's (film_timeline)
-  FrameRange range;                    ///< within the timeline
+  std::vector<std::int64_t> frames;    ///< of the timeline, ascending
   std::optional<GlBackend> gl;
   bool transparent = false;
   int threads = 0;  ///< cores to share between drawing and encoding; 0: as many as the machine has
 };
 
-/// Runs the scenario up to the last frame of the range and films that range in the scenario's size, theme and layers
-/// into `sink`, which is finished at the end. Frames before the range are stepped through but not drawn. Stepping (on
+/// Runs the scenario up to the last of the frames and films them in the scenario's size, theme and layers
+/// into `sink`, which is finished at the end. What lies between is stepped through but not drawn. Stepping (on
 /// the calling thread, where the script lives), drawing and encoding go on at the same time, a few frames apart. The
 /// first error of any of them stops all and is thrown here; the sink is then left unfinished.
 void render_film(Scenario& scenario, const FilmRequest& request, Sink& sink, const Progress& progress);

@@ -34,8 +34,7 @@ double outline_px(const Stage& stage, const std::vector<ShapePx>& shapes) {
   return std::clamp(largest_part * reach, std::min(1.0, stage.sizes.outline), stage.sizes.outline);
 }
 
-void draw_body(const Stage& stage, const BodyView& body) {
-  const Tone tone = tone_of(stage.palette, body);
+void draw_body(const Stage& stage, const BodyView& body, const Tone& tone) {
   const std::vector<ShapePx> shapes = shapes_of(stage, body);
   const Paint paint{tone.fill, tone.outline, outline_px(stage, shapes)};
   if (shapes.size() == 1 || body.sensor) {
@@ -72,7 +71,23 @@ void draw_bodies(const Stage& stage, bool fixed_ones) {
   for (const BodyView& body : stage.frame.snapshot.bodies) {
     if ((body.type == BodyType::fixed) != fixed_ones) continue;
     stage.own(OwnerKind::body, body.id);
-    draw_body(stage, body);
+    draw_body(stage, body, tone_of(stage.palette, body));
+  }
+}
+
+void draw_ghosts(const Stage& stage) {
+  for (const GhostView& ghost : stage.frame.ghosts) {
+    const BodyView* body = find_body(stage.frame.snapshot, ghost.body);
+    if (body == nullptr) continue;
+    Tone tone = tone_of(stage.palette, *body);
+    tone.fill = mixed(tone.fill, stage.palette.background, 0.7);
+    tone.outline = mixed(tone.outline, stage.palette.background, 0.5);
+    stage.own(OwnerKind::trail, ghost.body);
+    BodyView then = *body;
+    for (const Posed& pose : ghost.poses) {
+      then.pose = pose;
+      draw_body(stage, then, tone);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/image.h"
 #include "render/usage_error.h"
@@ -30,15 +31,23 @@ class Sink {
 enum class Quality : std::uint8_t { draft, final, lossless };
 std::optional<Quality> quality_named(std::string_view name);
 
+/// A part of a film that players can jump to; the last frame is included.
+struct Chapter {
+  std::string name;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
 struct FilmSettings {
   Size size;
   int fps = 60;
   Quality quality = Quality::final;
-  std::optional<std::string> preset;  ///< x264's, instead of the quality's
-  std::optional<int> crf;             ///< constant rate factor, 0..51 (VP9: 63), instead of the quality's
-  int threads = 0;                    ///< of the encoder; 0: as many as it likes
-  bool transparent = false;           ///< the pictures' alpha is kept
-  std::int64_t first_frame = 0;       ///< number of the first picture, in the names of a sequence
+  std::optional<std::string> preset;   ///< x264's, instead of the quality's
+  std::optional<int> crf;              ///< constant rate factor, 0..51 (VP9: 63), instead of the quality's
+  int threads = 0;                     ///< of the encoder; 0: as many as it likes
+  bool transparent = false;            ///< the pictures' alpha is kept
+  std::vector<Chapter> chapters = {};  ///< kept in .mp4, .mkv, .webm and .mov
+  std::int64_t first_frame = 0;        ///< number of the first picture, in the names of a sequence
 };
 
 /// True when `out` holds one picture rather than a film: NAME.png without a number in it.

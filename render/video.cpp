@@ -73,17 +73,27 @@ struct FreeParameters {
   void operator()(AVCodecParameters* p) const { avcodec_parameters_free(&p); }
 };
 
-av::Writer writer_for(const OutputFile& file, const av::Encoder& encoder) {
+av::Writer writer_for(const OutputFile& file, const av::Encoder& encoder, const FilmSettings& settings) {
   const AVCodecContext& context = encoder.context();
   const std::unique_ptr<AVCodecParameters, FreeParameters> parameters(parameters_of(context));
   const auto layout = ending_of(file.path()) == ".mp4" ? av::Layout::fragmented_mp4 : av::Layout::plain;
-  return {file.temporary_path(), file.path(), layout, *parameters, context.time_base, context.framerate};
+  const bool is_fragmented = layout == av::Layout::fragmented_mp4;  // a track of chapters would end every fragment
+  return {file.temporary_path(),
+          file.path(),
+          layout,
+          *parameters,
+          context.time_base,
+          context.framerate,
+          is_fragmented ? std::vector<Chapter>{} : settings.chapters};
 }
 
 class VideoSink final : public Sink {
  public:
   VideoSink(const std::string& path, av::FilmCodec codec, const FilmSettings& settings)
-      : encoder_(settings, codec), file_(path), writer_(writer_for(file_, encoder_)) {}
+      : encoder_(settings, codec),
+        file_(path),
+        writer_(writer_for(file_, encoder_, settings)),
+        chapters_(settings.chapters) {}
 
   void frame(const Image& image) override {
     encoder_.encode(image, [this](AVPacket& packet) { writer_.write(packet); });
@@ -94,7 +104,7 @@ class VideoSink final : public Sink {
     writer_.finish();
     if (ending_of(file_.path()) != ".mp4") return file_.publish();
     OutputFile finished(file_.path());
-    av::finish_mp4(file_.temporary_path(), finished.temporary_path(), file_.path());
+    av::finish_mp4(file_.temporary_path(), finished.temporary_path(), file_.path(), chapters_);
     finished.publish();
   }
 
@@ -102,6 +112,7 @@ class VideoSink final : public Sink {
   av::Encoder encoder_;
   OutputFile file_;
   av::Writer writer_;
+  std::vector<Chapter> chapters_;
 };
 
 /// A GIF has one palette for the whole film, which is known when all of it has been seen: until then the pictures wait,
@@ -109,7 +120,7 @@ class VideoSink final : public Sink {
 class GifSink final : public Sink {
  public:
   GifSink(const std::string& path, const FilmSettings& settings)
-      : encoder_(settings, av::FilmCodec::gif), file_(path), writer_(writer_for(file_, encoder_)) {}
+      : encoder_(settings, av::FilmCodec::gif), file_(path), writer_(writer_for(file_, encoder_, settings)) {}
 
   void frame(const Image& image) override {
     counts_.add(image);

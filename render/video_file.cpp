@@ -25,6 +25,23 @@ void set_up(AVFormatContext& format, const std::string& ending, Layout layout) {
   if (ending == ".apng") set(format, "plays", "0");  // for ever, as GIFs do unless told
 }
 
+/// The container frees them. Containers that have none leave them out.
+void add_chapters(AVFormatContext& format, const std::vector<Chapter>& chapters, AVRational frame_rate) {
+  if (chapters.empty()) return;
+  format.chapters = static_cast<AVChapter**>(av_calloc(chapters.size(), sizeof(AVChapter*)));
+  check_allocated(format.chapters);
+  for (const Chapter& chapter : chapters) {
+    auto* made = static_cast<AVChapter*>(av_mallocz(sizeof(AVChapter)));
+    check_allocated(made);
+    format.chapters[format.nb_chapters] = made;
+    made->id = ++format.nb_chapters;
+    made->time_base = av_inv_q(frame_rate);
+    made->start = chapter.first;
+    made->end = chapter.last + 1;
+    check(av_dict_set(&made->metadata, "title", chapter.name.c_str(), 0), "name a chapter");
+  }
+}
+
 Input open_input(const std::string& path, const std::string& name) {
   AVFormatContext* format = nullptr;
   check(avformat_open_input(&format, path.c_str(), nullptr, nullptr), "read back " + name);
@@ -39,7 +56,7 @@ void Writer::Close::operator()(AVFormatContext* p) const {
 }
 
 Writer::Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track,
-               AVRational time_base, AVRational frame_rate)
+               AVRational time_base, AVRational frame_rate, const std::vector<Chapter>& chapters)
     : name_(std::move(name)), time_base_(time_base) {
   AVFormatContext* format = nullptr;
   const std::string ending = std::filesystem::path(name_).extension().string();
@@ -54,6 +71,7 @@ Writer::Writer(const std::string& path, std::string name, Layout layout, const A
   stream->avg_frame_rate = frame_rate;
   check(avio_open(&format->pb, path.c_str(), AVIO_FLAG_WRITE), "write " + name_);
   set_up(*format, ending, layout);
+  add_chapters(*format, chapters, frame_rate);
   format->flags |= AVFMT_FLAG_FLUSH_PACKETS;  // nothing whole stays behind in memory when the program is killed
   check(avformat_write_header(format, nullptr), "write " + name_);
 }
@@ -73,11 +91,12 @@ void Writer::finish() {
   check(avio_closep(&format_->pb), "write " + name_);
 }
 
-void finish_mp4(const std::string& fragmented, const std::string& finished, const std::string& name) {
+void finish_mp4(const std::string& fragmented, const std::string& finished, const std::string& name,
+                const std::vector<Chapter>& chapters) {
   const Input input = open_input(fragmented, name);
   if (input->nb_streams != 1) check(AVERROR_INVALIDDATA, "read back " + name);
   const AVStream& from = *input->streams[0];
-  Writer writer(finished, name, Layout::finished_mp4, *from.codecpar, from.time_base, from.avg_frame_rate);
+  Writer writer(finished, name, Layout::finished_mp4, *from.codecpar, from.time_base, from.avg_frame_rate, chapters);
   const Packet packet(av_packet_alloc());
   check_allocated(packet.get());
   std::int64_t start = AV_NOPTS_VALUE;

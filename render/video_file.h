@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "render/sink.h"
 #include "render/video_av.h"
 
 namespace proofreel::av {
@@ -21,7 +23,7 @@ class Writer {
   /// `path` is what is opened, `name` what errors call it and whose ending says which container it is. `time_base` is
   /// the unit packets count time in.
   Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track, AVRational time_base,
-         AVRational frame_rate);
+         AVRational frame_rate, const std::vector<Chapter>& chapters);
   void write(AVPacket& packet);
   /// Completes the file. Throws EnvironmentError when any byte did not reach the disk.
   void finish();
@@ -35,7 +37,8 @@ class Writer {
   AVRational time_base_{};
 };
 
-/// Copies the packets of a fragmented MP4 into a finished one that starts at time 0.
-void finish_mp4(const std::string& fragmented, const std::string& finished, const std::string& name);
+/// Copies the packets of a fragmented MP4 into a finished one that starts at time 0 and has chapters.
+void finish_mp4(const std::string& fragmented, const std::string& finished, const std::string& name,
+                const std::vector<Chapter>& chapters);
 
 }  // namespace proofreel::av

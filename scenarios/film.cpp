@@ -111,6 +111,7 @@ Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot sn
   frame.index = index;
   frame.view = camera_view(scenario, recorder, snapshot);
   frame.trails = recorder.trails(snapshot);
+  frame.ghosts = recorder.ghosts();
   frame.arrows = arrows(scenario.picture, snapshot);
   frame.labels = labels(scenario.picture, snapshot);
   frame.captions = captions(scenario, snapshot.tick);

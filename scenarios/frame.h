@@ -19,6 +19,12 @@ struct TrailView {
   std::vector<Vec2d> points;
 };
 
+/// Where the body stood at even times, the oldest first.
+struct GhostView {
+  BodyId body{};
+  std::vector<Posed> poses;
+};
+
 struct ArrowView {
   VectorOf of = VectorOf::velocity;
   Vec2d from;  ///< world
@@ -53,6 +59,7 @@ struct Frame {
   Snapshot snapshot;
   View view;  ///< the camera, resolved
   std::vector<TrailView> trails;
+  std::vector<GhostView> ghosts;
   std::vector<ArrowView> arrows;
   std::vector<LabelView> labels;
   std::vector<CaptionView> captions;

@@ -47,8 +47,6 @@ const char* range_words(Range range) {
 
 }  // namespace
 
-std::string not_built(std::string_view name) { return quote(name) + " is part of the language but not built yet"; }
-
 Fields::Fields(lua_State* state, int index, std::string word, std::span<const Name> keys, int positional)
     : state_(state), index_(lua_absindex(state, index)), word_(std::move(word)) {
   check_keys(keys, positional);
@@ -73,8 +71,7 @@ void Fields::check_keys(std::span<const Name> keys, int positional) const {
   for (lua_pushnil(state_); lua_next(state_, index_) != 0; lua_pop(state_, 1)) {
     if (lua_type(state_, -2) == LUA_TSTRING) {
       const std::string key = lua_tostring(state_, -2);
-      const Name* name = find_name(key, keys);
-      if (name == nullptr || !name->built) wrong.push_back(key);
+      if (find_name(key, keys) == nullptr) wrong.push_back(key);
     } else if (!lua_isinteger(state_, -2) || lua_tointeger(state_, -2) < 1 || lua_tointeger(state_, -2) > positional) {
       wrong.push_back(shown(state_, -2));
     }
@@ -84,7 +81,6 @@ void Fields::check_keys(std::span<const Name> keys, int positional) const {
 }
 
 void Fields::refuse_key(const std::string& key, std::span<const Name> keys) const {
-  if (find_name(key, keys) != nullptr) throw Problem(word_ + ": " + not_built(prefix_ + key), key);
   throw Problem(word_ + ": unknown key " + quote(key) + ", " + did_you_mean(key, texts_of(keys)), key);
 }
 
@@ -173,7 +169,6 @@ std::optional<std::size_t> Fields::choice(const char* key, std::span<const Name>
   if (!value) return std::nullopt;
   const Name* name = find_name(*value, names);
   if (name == nullptr) refuse(key, "cannot be " + quote(*value) + ", " + did_you_mean(*value, texts_of(names)));
-  if (!name->built) refuse(key, "= " + not_built(*value));
   return static_cast<std::size_t>(name - names.data());
 }
 
@@ -182,7 +177,6 @@ std::size_t name_index(const std::string& what, const std::string& text, std::sp
   if (name == nullptr) {
     throw Problem("unknown " + what + " " + quote(text) + "; known are " + quoted_list(texts_of(names)));
   }
-  if (!name->built) throw Problem(what + " " + not_built(text));
   return static_cast<std::size_t>(name - names.data());
 }
 

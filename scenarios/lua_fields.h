@@ -16,14 +16,10 @@
 
 namespace proofreel {
 
-/// A key, or a name a key can be set to. What is not built is refused by name.
+/// A key, or a name a key can be set to.
 struct Name {
   const char* text;
-  bool built = true;
 };
-
-/// `"rope" is part of the language but not built yet`
-std::string not_built(std::string_view name);
 
 enum class Range : std::uint8_t {
   any,     ///< every number, even NaN: geometry, which is judged as a whole later
@@ -79,7 +75,7 @@ class Fields {
   const std::vector<ParsedOverride>* overrides_ = nullptr;
 };
 
-/// The index of `name` among `names`; throws a Problem with the valid ones, or that it is not built. `what` is "layer".
+/// The index of `name` among `names`; throws a Problem with the valid ones. `what` is "layer".
 std::size_t name_index(const std::string& what, const std::string& name, std::span<const Name> names);
 
 }  // namespace proofreel

@@ -55,7 +55,6 @@ void LuaScript::open(lua_State* state) {
   open_picture(state);
   open_demonstrate(state);
   open_measures(state);
-  open_unbuilt(state);
   sandbox_.set_known_names(global_names(state));
 }
 
@@ -143,6 +142,9 @@ void LuaScript::check_times() const {
   for (const Caption& caption : scenario.picture.captions)
     check("caption " + quote(caption.text) + ": from = ", caption.from);
   for (const SlowMotion& slow : scenario.picture.slow) check("slow: from = ", slow.from);
+  for (const Freeze& freeze : scenario.picture.freezes) check("freeze: at = ", freeze.at);
+  for (const Section& section : scenario.picture.sections)
+    check("section " + quote(section.name) + ": at = ", section.at);
 }
 
 std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides) {

@@ -10,7 +10,8 @@ namespace proofreel {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double longest_memory = 1e6;  // s of a trail or plot
+constexpr double longest_memory = 1e6;   // s of a trail or plot
+constexpr double longest_freeze = 3600;  // s
 
 constexpr Name corner_names[] = {{"top_left"}, {"top"}, {"top_right"}, {"bottom_left"}, {"bottom"}, {"bottom_right"}};
 constexpr Name vector_names[] = {{"velocity"}, {"force"}, {"momentum"}, {"acceleration"}, {"contact_impulse"}};
@@ -157,6 +158,43 @@ int slow(lua_State* state) {
   return 0;
 }
 
+int ghost(lua_State* state) {
+  static constexpr Name keys[] = {{"body"}, {"every"}};
+  const Fields fields(state, 1, "ghost", keys);
+  Model& model = drawing_model(state, "ghost");
+  const BodyId body = read_body(fields, "body");
+  model.scenario.picture.ghosts.push_back({body, fields.required("every", fields.number("every", Range::positive))});
+  return 0;
+}
+
+int freeze(lua_State* state) {
+  static constexpr Name keys[] = {{"at"}, {"seconds"}};
+  const Fields fields(state, 1, "freeze", keys);
+  Model& model = drawing_model(state, "freeze");
+  model.must_load("freeze");
+  Freeze freeze;
+  freeze.at = fields.required("at", fields.number("at", Range::not_negative));
+  freeze.seconds = fields.required("seconds", fields.number("seconds", Range::positive));
+  if (freeze.seconds > longest_freeze) fields.refuse("seconds", "must not be larger than 3600");
+  model.scenario.picture.freezes.push_back(freeze);
+  return 0;
+}
+
+int section(lua_State* state) {
+  static constexpr Name keys[] = {{"at"}, {"name"}};
+  const Fields fields(state, 1, "section", keys);
+  Model& model = drawing_model(state, "section");
+  model.must_load("section");
+  const Section section{fields.required("at", fields.number("at", Range::not_negative)),
+                        fields.required("name", fields.text("name"))};
+  std::vector<Section>& sections = model.scenario.picture.sections;
+  if (section.name.empty()) fields.refuse("name", "must not be empty");
+  if (!sections.empty() && section.at <= sections.back().at)
+    fields.refuse("at", "must come after that of the section before, " + quote(sections.back().name));
+  sections.push_back(section);
+  return 0;
+}
+
 }  // namespace
 
 void open_picture(lua_State* state) {
@@ -168,6 +206,9 @@ void open_picture(lua_State* state) {
   set_word<trail>(state, "trail");
   set_word<plot>(state, "plot");
   set_word<slow>(state, "slow");
+  set_word<ghost>(state, "ghost");
+  set_word<freeze>(state, "freeze");
+  set_word<section>(state, "section");
   lua_pop(state, 1);
 }
 

@@ -175,7 +175,6 @@ std::optional<EffectSet> read_effects(const Fields& fields) {
       for (const Name& n : effect_names) names.emplace_back(n.text);
       fields.refuse("effects", "cannot hold " + quote(name) + ", " + did_you_mean(name, names));
     }
-    if (!known->built) fields.refuse("effects", "holds " + not_built(name));
     set.add(effect_named(name).value());
   }
   return set;

@@ -150,16 +150,6 @@ int contacts(lua_State* state) {
   return 1;
 }
 
-constexpr const char* unbuilt_words[] = {"ghost", "freeze", "section"};
-
-int refuse_unbuilt(lua_State* state) { throw Problem(not_built(lua_tostring(state, lua_upvalueindex(1)))); }
-
-void set_unbuilt(lua_State* state, const char* word) {
-  lua_pushstring(state, word);
-  lua_pushcclosure(state, guarded<refuse_unbuilt>, 1);
-  lua_setfield(state, -2, word);
-}
-
 }  // namespace
 
 void open_time(lua_State* state) {
@@ -171,12 +161,6 @@ void open_time(lua_State* state) {
   set_word<time>(state, "time");
   set_word<energy>(state, "energy");
   set_word<contacts>(state, "contacts");
-  lua_pop(state, 1);
-}
-
-void open_unbuilt(lua_State* state) {
-  lua_pushglobaltable(state);
-  for (const char* word : unbuilt_words) set_unbuilt(state, word);
   lua_pop(state, 1);
 }
 

@@ -23,7 +23,5 @@ void open_picture(lua_State* state);
 /// Algorithms as lecture films: demonstrate.
 void open_demonstrate(lua_State* state);
 void open_measures(lua_State* state);
-/// Words of the language that are not built: they say so.
-void open_unbuilt(lua_State* state);
 
 }  // namespace proofreel

@@ -8,6 +8,7 @@ namespace proofreel {
 namespace {
 
 constexpr std::int64_t most_trail_points = 2048;  // finer would not show
+constexpr std::size_t most_ghosts = 1000;         // of one body; more would be a smear
 
 }  // namespace
 
@@ -15,6 +16,8 @@ void Recorder::record(const Simulation& simulation) {
   const Picture& picture = scenario_.picture;
   trails_.resize(picture.trails.size());
   for (std::size_t i = 0; i < trails_.size(); ++i) record_trail(i, simulation);
+  ghosts_.resize(picture.ghosts.size());
+  for (std::size_t i = 0; i < ghosts_.size(); ++i) record_ghost(i, simulation);
   followed_.resize(picture.camera.size());
   for (std::size_t i = 0; i < followed_.size(); ++i) {
     const auto& body = picture.camera[i].follow;
@@ -32,6 +35,16 @@ void Recorder::record_trail(std::size_t index, const Simulation& simulation) {
     trail.points.emplace_back(tick, simulation.body(mark.body).center);
   }
   while (!trail.points.empty() && trail.points.front().first < tick - window) trail.points.pop_front();
+}
+
+void Recorder::record_ghost(std::size_t index, const Simulation& simulation) {
+  const GhostMark& mark = scenario_.picture.ghosts[index];
+  const int rate = scenario_.scene.rate;
+  const auto number = static_cast<std::int64_t>(static_cast<double>(simulation.tick()) / (mark.every * rate) + 0.5);
+  const bool is_due = tick_at(static_cast<double>(number) * mark.every, rate) == simulation.tick();
+  if (!is_due || ghosts_[index].size() >= most_ghosts || !simulation.exists(mark.body)) return;
+  const BodyState state = simulation.body(mark.body);
+  ghosts_[index].push_back({state.position, Rotd(state.angle)});
 }
 
 void Recorder::sample_plots(std::int64_t tick) {
@@ -73,6 +86,12 @@ std::vector<PlotView> Recorder::plots() const {
     }
     views.push_back(std::move(view));
   }
+  return views;
+}
+
+std::vector<GhostView> Recorder::ghosts() const {
+  std::vector<GhostView> views;
+  for (std::size_t i = 0; i < ghosts_.size(); ++i) views.push_back({scenario_.picture.ghosts[i].body, ghosts_[i]});
   return views;
 }
 

@@ -27,6 +27,8 @@ class Recorder {
   /// Each ends where its body is now, `snapshot` being of the last recorded tick.
   std::vector<TrailView> trails(const Snapshot& snapshot) const;
   std::vector<PlotView> plots() const;
+  /// One for every ghost mark: where its body stood at every multiple of `every`, up to now.
+  std::vector<GhostView> ghosts() const;
   /// Where the body that camera move `move` follows is, or was when it was removed.
   std::optional<Vec2d> followed(std::size_t move) const;
 
@@ -41,11 +43,13 @@ class Recorder {
   };
 
   void record_trail(std::size_t index, const Simulation& simulation);
+  void record_ghost(std::size_t index, const Simulation& simulation);
 
   const Scenario& scenario_;
   std::vector<Trail> trails_;
   std::vector<std::deque<PlotSample>> plots_;
   std::vector<std::optional<Vec2d>> followed_;
+  std::vector<std::vector<Posed>> ghosts_;
 };
 
 }  // namespace proofreel

@@ -92,6 +92,24 @@ struct SlowMotion {
   double factor = 1;
 };
 
+/// A pale copy of the body stays behind every so many seconds.
+struct GhostMark {
+  BodyId body{};
+  double every = 0.1;  ///< s
+};
+
+/// At scene time `at` the film stands still.
+struct Freeze {
+  double at = 0;
+  double seconds = 1;  ///< of film
+};
+
+/// A part of the film, from scene time `at` to where the next one begins.
+struct Section {
+  double at = 0;
+  std::string name;
+};
+
 /// What the picture shows beyond the bodies. Grows while the script runs; entries are never removed.
 struct Picture {
   View view;
@@ -105,7 +123,10 @@ struct Picture {
   std::vector<VectorMark> vectors;
   std::vector<TrailMark> trails;
   std::vector<PlotMark> plots;
+  std::vector<GhostMark> ghosts;
   std::vector<SlowMotion> slow;
+  std::vector<Freeze> freezes;
+  std::vector<Section> sections;  ///< in order of time
 };
 
 /// Which film frames are kept as references, and how large.

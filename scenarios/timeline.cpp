@@ -69,6 +69,29 @@ std::int64_t ticks_to_next(std::int64_t tick, std::int64_t usual, const std::vec
   return usual;
 }
 
+/// How often the frame at `tick` is shown once more, when the one before showed `before`.
+std::int64_t held(const Scenario& scenario, std::int64_t before, std::int64_t tick) {
+  std::int64_t frames = 0;
+  for (const Freeze& freeze : scenario.picture.freezes) {
+    const std::int64_t at = tick_at(freeze.at, scenario.scene.rate);
+    if (before < at && at <= tick) frames += std::llround(freeze.seconds * scenario.picture.fps);
+  }
+  return frames;
+}
+
+/// What is demonstrated begins a section whenever its heading changes.
+std::vector<Section> headings_of(const std::vector<Story>& stories) {
+  std::vector<Section> sections;
+  double time = 0;
+  for (const Story& story : stories) {
+    for (const Step& step : story.steps) {
+      if (sections.empty() || sections.back().name != step.heading) sections.push_back({time, step.heading});
+      time += step.seconds;
+    }
+  }
+  return sections;
+}
+
 }  // namespace
 
 std::int64_t tick_at(double seconds, int rate) {
@@ -96,10 +119,25 @@ std::vector<std::int64_t> film_timeline(const Scenario& scenario) {
   const std::int64_t usual = rate / fps;
   const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
   std::vector<std::int64_t> frames;
-  for (std::int64_t tick = 0; tick < scenario.ticks(); tick += ticks_to_next(tick, usual, stretches)) {
-    frames.push_back(tick);
+  for (std::int64_t tick = 0, before = -1; tick < scenario.ticks(); tick += ticks_to_next(tick, usual, stretches)) {
+    frames.insert(frames.end(), static_cast<std::size_t>(1 + held(scenario, before, tick)), tick);
+    before = tick;
   }
   return frames;
+}
+
+std::vector<FilmSection> film_sections(const Scenario& scenario, const std::vector<std::int64_t>& timeline) {
+  const bool named = !scenario.picture.sections.empty();
+  std::vector<FilmSection> sections;
+  for (const Section& section : named ? scenario.picture.sections : headings_of(scenario.stories)) {
+    const std::int64_t tick = tick_at(section.at, scenario.scene.rate);
+    const auto first = std::lower_bound(timeline.begin(), timeline.end(), tick) - timeline.begin();
+    if (first == static_cast<std::ptrdiff_t>(timeline.size())) continue;
+    if (!sections.empty() && sections.back().first == first) sections.pop_back();
+    if (!sections.empty()) sections.back().last = first - 1;
+    sections.push_back({section.name, first, static_cast<std::int64_t>(timeline.size()) - 1});
+  }
+  return sections;
 }
 
 }  // namespace proofreel

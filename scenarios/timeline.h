@@ -3,6 +3,8 @@
 /// Where frames and samples lie on the axis of ticks. Whole numbers only.
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "scenarios/scenario.h"
 
@@ -17,5 +19,16 @@ std::int64_t tick_at(double seconds, int rate);
 /// Whether measures and plots are sampled at `tick`: at every frame of the film without slow motion, so at
 /// round(i * rate / fps), and at the last tick.
 bool is_sample_tick(const Scenario& scenario, std::int64_t tick);
+
+/// A section as frames of the film, the last one included.
+struct FilmSection {
+  std::string name;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+/// The sections of the scenario, or, where it has none, the headings of what it demonstrates. `timeline` is that of
+/// film_timeline. Sections without a frame are left out.
+std::vector<FilmSection> film_sections(const Scenario& scenario, const std::vector<std::int64_t>& timeline);
 
 }  // namespace proofreel

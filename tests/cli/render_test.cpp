@@ -70,6 +70,30 @@ TEST_CASE("A GIF takes the most frames per second that GIFs can show and the rat
   REQUIRE(film.times_s.back() + film.times_s[1] >= 0.49);
 }
 
+TEST_CASE("Sections are chapters of a film, and a still each", "[cli]") {
+  const BallCollection c;
+  c.write("parts", falling_ball("section{at=0, name='first'} section{at=0.25, name='second; half'}\n"));
+  for (const char* out : {"a.mp4", "a.mkv", "a.webm", "a.mov"}) {
+    CAPTURE(out);
+    REQUIRE(c.run({"render", "parts", "-o", out, "--quality", "draft"}).status == 0);
+    const std::vector<FilmChapter> chapters = chapters_in(c / out);
+    REQUIRE(chapters.size() == 2);
+    REQUIRE(chapters[0].name == "first");
+    REQUIRE(chapters[1].name == "second; half");
+    REQUIRE(chapters[1].start_s == Approx(0.25).margin(0.002));
+    REQUIRE(chapters[1].end_s == Approx(0.5).margin(0.002));
+  }
+  REQUIRE(c.run({"render", "parts", "-o", "s%02d.png", "--stills"}).status == 0);
+  REQUIRE(c.run({"render", "parts", "-o", "f.png", "--frames", "14"}).status == 0);
+  REQUIRE(read_text(c / "s01.png") == read_text(c / "f.png"));
+  REQUIRE(fs::exists(c / "s02.png"));
+  REQUIRE_FALSE(fs::exists(c / "s03.png"));
+  REQUIRE_THAT(c.run({"render", "parts", "-o", "s.png", "--stills"}).err, Contains("%02d"));
+  const Outcome none = c.render({"-o", "t%02d.png", "--stills"});
+  REQUIRE(none.status == 2);
+  REQUIRE_THAT(none.err, Contains("has no section{at=, name=}"));
+}
+
 TEST_CASE("Behind what is drawn there may be nothing", "[cli]") {
   const BallCollection c;
   REQUIRE(c.render({"-o", "a.png", "--transparent", "--layers", "bodies"}).status == 0);

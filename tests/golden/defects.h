@@ -11,9 +11,10 @@
 
 namespace proofreel::defects {
 
-/// One context for the whole program, since each costs a tenth of a second.
+/// One context for the whole program, since each costs a tenth of a second. It is never let go: at the end of the
+/// program Mesa may be gone before it.
 inline Pictures& pictures() {
-  static Pictures pictures(std::nullopt);
+  static auto& pictures = *new Pictures(std::nullopt);
   return pictures;
 }
 

@@ -73,6 +73,21 @@ void describe(const AVFormatContext& format, const AVStream& stream, DecodedFilm
 
 }  // namespace
 
+std::vector<FilmChapter> chapters_in(const std::string& path) {
+  AVFormatContext* opened = nullptr;
+  check(avformat_open_input(&opened, path.c_str(), nullptr, nullptr), "the film cannot be opened");
+  const std::unique_ptr<AVFormatContext, Free> format(opened);
+  std::vector<FilmChapter> chapters;
+  for (unsigned i = 0; i < format->nb_chapters; ++i) {
+    const AVChapter& chapter = *format->chapters[i];
+    const AVDictionaryEntry* title = av_dict_get(chapter.metadata, "title", nullptr, 0);
+    const double unit = av_q2d(chapter.time_base);
+    chapters.push_back({title == nullptr ? "" : title->value, static_cast<double>(chapter.start) * unit,
+                        static_cast<double>(chapter.end) * unit});
+  }
+  return chapters;
+}
+
 DecodedFilm decode_film(const std::string& path) {
   AVFormatContext* opened = nullptr;
   check(avformat_open_input(&opened, path.c_str(), nullptr, nullptr), "the film cannot be opened");

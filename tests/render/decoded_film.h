@@ -22,6 +22,14 @@ struct DecodedFilm {
   bool index_first = false;     ///< MP4: what a player needs to know stands before the pictures
 };
 
+/// A part of a film that players can jump to.
+struct FilmChapter {
+  std::string name;
+  double start_s = 0;
+  double end_s = 0;
+};
+std::vector<FilmChapter> chapters_in(const std::string& path);
+
 /// Decodes all of it. Throws std::runtime_error at the first thing that does not decode.
 DecodedFilm decode_film(const std::string& path);
 

@@ -40,11 +40,13 @@ class HashList final : public Sink {
   std::size_t fails_at_;
 };
 
-FilmRequest whole_film(const Scenario& scenario) { return {film_timeline(scenario), {0, 29}, std::nullopt, false, 0}; }
+FilmRequest whole_film(const Scenario& scenario) {
+  return {film_timeline(scenario), FrameRange{0, 29}.frames(), std::nullopt, false, 0};
+}
 
 HashList film(Scenario& scenario, FrameRange range) {
   HashList sink;
-  render_film(scenario, {film_timeline(scenario), range, std::nullopt, 0}, sink, {});
+  render_film(scenario, {film_timeline(scenario), range.frames(), std::nullopt, false, 0}, sink, {});
   return sink;
 }
 
@@ -107,7 +109,7 @@ TEST_CASE("Progress counts the frames of the range, and may stop the film", "[fi
     counted.push_back(done);
   };
   const auto scenario = falling_ball(folder);
-  render_film(*scenario, {film_timeline(*scenario), {10, 14}, std::nullopt, 0}, sink, count);
+  render_film(*scenario, {film_timeline(*scenario), FrameRange{10, 14}.frames(), std::nullopt, false, 0}, sink, count);
   REQUIRE(counted == std::vector<std::int64_t>{1, 2, 3, 4, 5});
 
   const auto stop = [](std::int64_t, std::int64_t) { throw std::runtime_error("stopped"); };

@@ -14,16 +14,19 @@ using namespace proofreel::painted;
 
 namespace {
 
+/// Those that demonstrate an algorithm; others show bodies.
 std::vector<std::string> lecture_scenarios() {
   std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::directory_iterator("scenarios/lecture"))
-    paths.push_back(entry.path().string());
+  for (const auto& entry : std::filesystem::directory_iterator("scenarios/lecture")) {
+    const std::string path = entry.path().string();
+    if (!load_scenario(path, {})->stories.empty()) paths.push_back(path);
+  }
   std::sort(paths.begin(), paths.end());
   return paths;
 }
 
 Canvas& canvas() {
-  static Canvas made(context(), 320, 180);
+  static auto& made = *new Canvas(context(), 320, 180);  // like its context never let go
   return made;
 }
 

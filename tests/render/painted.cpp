@@ -6,8 +6,8 @@
 namespace proofreel::painted {
 
 GlContext& context() {
-  static const std::unique_ptr<GlContext> shared = make_context(std::nullopt);
-  return *shared;
+  static GlContext& shared = *make_context(std::nullopt).release();  // at the program's end Mesa may be gone before it
+  return shared;
 }
 
 Image picture(int width_px, int height_px, const std::function<void(Canvas&)>& draw) {

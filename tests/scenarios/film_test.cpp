@@ -5,6 +5,7 @@
 #include "scene_text.h"
 
 using namespace proofreel;
+using Catch::Contains;
 
 namespace {
 
@@ -97,6 +98,23 @@ TEST_CASE("Arrows are as long as what they show") {
   CHECK(along(2).y == Approx(-2));
   CHECK(along(3).y == Approx(-1));
   CHECK(along(4).y == Approx(5));
+}
+
+TEST_CASE("Ghosts stay where their body stood at even times, turned as it was") {
+  auto r = run("ghost{body=b, every=0.5} at(2.2, function() b:remove() end)");
+  const auto early = frame_at(r, 49).ghosts.at(0).poses;
+  REQUIRE(early.size() == 1);
+  const auto poses = frame_at(r, 300).ghosts.at(0).poses;
+  REQUIRE(poses.size() == 5);
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    CHECK(poses[i].position.x == Approx(0.5 * static_cast<double>(i)).margin(1e-9));
+}
+
+TEST_CASE("A ghost needs a body and a time") {
+  CHECK_THAT(error_of("scenario{}\nlocal b = body{shape=circle{radius=1}}\nghost{body=b}"), Contains("every"));
+  CHECK_THAT(error_of("scenario{}\nlocal b = body{shape=circle{radius=1}}\nghost{body=b, every=0}"),
+             Contains("positive"));
+  CHECK_THAT(error_of("scenario{}\nghost{every=1}"), Contains("body"));
 }
 
 TEST_CASE("A trail shows the last seconds and ends at the body") {
