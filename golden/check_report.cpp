@@ -41,8 +41,9 @@ ReportEntry entry_of_error(const std::string& name, const std::string& message) 
 
 ReportEntry entry_of_orphan(const GoldenStore& store, const std::string& id) {
   ReportEntry entry{id, store.json_path(id).string(), {}, {}, {}};
-  entry.items.push_back({"reference", "orphan", false,
-                         "No scenario asks for this reference; bless --prune removes " + store.folder(id).string() + "."});
+  entry.items.push_back(
+      {"reference", "orphan", false,
+       "No scenario asks for this reference; bless --prune removes " + store.folder(id).string() + "."});
   entry.bless = "proofreel bless --prune";
   return entry;
 }
