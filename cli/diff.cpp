@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "golden/frame_source.h"
+#include "render/output_file.h"
 #include "render/png.h"
 #include "render/sink.h"
 #include "render/usage_error.h"
@@ -104,9 +105,7 @@ std::string out_for(const Options& options, const std::string& name) {
   if (options.out.empty()) return {};
   fs::path path = fs::path(options.out) / name;
   if (is_film_name(name)) path.replace_extension(".mp4");
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) throw EnvironmentError("Cannot make " + path.parent_path().string() + ": " + error.message() + ".");
+  make_folder(path.parent_path().string());
   return path.string();
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -31,7 +30,7 @@ struct Options {
   bool stills = false;
 };
 
-bool is_gif(const std::string& out) { return std::filesystem::path(out).extension() == ".gif"; }
+bool is_gif(const std::string& out) { return ending_of(out) == ".gif"; }
 
 /// The scenario's own, or the largest that GIFs can show and that divides the rate.
 int gif_fps(const Scenario& scenario) {

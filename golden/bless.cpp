@@ -30,12 +30,6 @@ std::optional<Golden> load_or_forget(const GoldenStore& store, const std::string
   }
 }
 
-void make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw EnvironmentError("Cannot make the folder " + path.string() + ": " + error.message() + ".");
-}
-
 void remove_file(const fs::path& path) {
   std::error_code error;
   fs::remove(path, error);

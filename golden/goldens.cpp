@@ -11,9 +11,9 @@
 #include "golden/shell.h"
 #include "proofreel/golden.h"
 #include "render/mapped_file.h"
+#include "render/output_file.h"
 #include "render/png.h"
 #include "render/usage_error.h"
-#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {
@@ -139,8 +139,7 @@ struct Goldens::State {
 
   /// Writes what did not pass.
   PictureCheck blessed(const PictureCheck& check, const Image& now) const {
-    std::error_code error;
-    fs::create_directories(file_of(check.name).parent_path(), error);
+    make_folder(file_of(check.name).parent_path().string());
     write_png(file_of(check.name).string(), now);
     return {check.name, PictureVerdict::blessed, "written; before, " + check.message};
   }

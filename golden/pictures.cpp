@@ -99,7 +99,7 @@ Finding judge_pixels(const Golden& golden, const ObservedFrame& now, const Image
   return {now.frame, Verdict::drawing, message.append("."), c};
 }
 
-Style style_of(const Scenario& scenario) { return {scenario.picture.theme, scenario.picture.layers}; }
+Style style_of(const Scenario& scenario) { return {scenario.picture.theme}; }
 
 }  // namespace
 

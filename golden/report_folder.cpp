@@ -34,12 +34,6 @@ void clear_away(const fs::path& path) {
   if (error) throw EnvironmentError("Cannot remove " + path.string() + ": " + error.message() + ".");
 }
 
-void make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw EnvironmentError("Cannot make the folder " + path.string() + ": " + error.message() + ".");
-}
-
 void keep_copy(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   std::error_code error;

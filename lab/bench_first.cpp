@@ -39,9 +39,9 @@ void print_split(const std::string& out) {
   Canvas canvas(*context, picture.size.width_px, picture.size.height_px);
   laps.lap("make the canvas");
   Image image;
-  draw_frame(canvas, frame, {picture.theme, picture.layers}, image);
+  draw_frame(canvas, frame, {picture.theme}, image);
   laps.lap("draw, shaders compiled");
-  draw_frame(canvas, frame, {picture.theme, picture.layers}, image);
+  draw_frame(canvas, frame, {picture.theme}, image);
   laps.lap("draw once more");
   write_png(out, image);
   laps.lap("write the PNG");

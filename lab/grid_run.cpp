@@ -125,12 +125,12 @@ void take_figures(RunResult& result, const RunReport& report) {
   result.trajectory_hash = hex(report.trajectory_hash);
 }
 
-std::string still_of(const Scenario& scenario, const Frame& frame, std::optional<GlBackend> gl) {
+std::string still_of(const Scenario& scenario, Frame frame, std::optional<GlBackend> gl) {
   const std::unique_ptr<GlContext> context = make_context(gl);
   Canvas canvas(*context, still_size.width_px, still_size.height_px);
   Image image;
-  const std::vector<Layer> layers{Layer::bodies, Layer::joints, Layer::contacts};
-  draw_frame(canvas, frame, {scenario.picture.theme, layers}, image);
+  frame.layers = {Layer::bodies, Layer::joints, Layer::contacts};
+  draw_frame(canvas, frame, {scenario.picture.theme}, image);
   const std::vector<std::uint8_t> png = encode_png(image);
   return {png.begin(), png.end()};
 }

@@ -62,12 +62,6 @@ std::string still_name(const RunRequest& request) {
   return "stills/" + plain(name.substr(0, longest)) + "-" + request.key.substr(0, 8) + ".png";
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(fs::path(folder) / "stills", error);
-  if (error) throw EnvironmentError("Cannot make the folder " + folder + ": " + error.message() + ".");
-}
-
 class Worker {
  public:
   Worker(const Grid& grid, const GridWork& work, const WorkProgress& progress)
@@ -143,7 +137,7 @@ class Worker {
 }  // namespace
 
 std::vector<RunResult> work_off(const Grid& grid, const GridWork& work, const WorkProgress& progress) {
-  make_folder(work.folder);
+  make_folder((fs::path(work.folder) / "stills").string());
   Worker worker(grid, work, progress);
   worker.run();
   return worker.results();

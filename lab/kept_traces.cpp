@@ -5,15 +5,12 @@
 #include <iterator>
 
 #include "render/output_file.h"
-#include "scenarios/environment_error.h"
 
 namespace proofreel {
 
 KeptTraces::KeptTraces(const std::string& study_folder)
     : folder_((std::filesystem::path(study_folder) / "traces").string()) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw EnvironmentError("Cannot make the folder " + folder_ + ": " + error.message() + ".");
+  make_folder(folder_);
 }
 
 std::optional<Trace> KeptTraces::find(const StudyRun& run) const {

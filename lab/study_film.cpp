@@ -65,7 +65,7 @@ class Pane {
     } catch (const ScenarioError&) {
       return image_;
     }
-    draw_frame(canvas_, runner_->frame(frame), {scenario_->picture.theme, scenario_->picture.layers}, image_);
+    draw_frame(canvas_, runner_->frame(frame), {scenario_->picture.theme}, image_);
     return image_;
   }
 

@@ -9,7 +9,7 @@
 #include "lab/callgrind.h"
 #include "lab/kept_traces.h"
 #include "lab/study_table.h"
-#include "scenarios/environment_error.h"
+#include "render/output_file.h"
 #include "scenarios/scenario.h"
 
 namespace proofreel {
@@ -270,9 +270,7 @@ class Worker {
 
 StudyOutcome work_off(const Study& study, const StudyWork& work, const std::function<void(const char*)>& phase,
                       const WorkProgress& progress) {
-  std::error_code error;
-  std::filesystem::create_directories(work.folder, error);
-  if (error) throw EnvironmentError("Cannot make the folder " + work.folder + ": " + error.message() + ".");
+  make_folder(work.folder);
   return Worker(study, work, phase, progress).run();
 }
 

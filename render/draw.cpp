@@ -29,8 +29,8 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
 void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
   const Camera camera(frame.view, canvas.width_px(), canvas.height_px());
   const Stage stage{canvas, frame, palette_of(style.theme), camera, sizes_of(canvas.height_px()), marks};
-  const auto shows = [&style](Layer layer) {
-    return std::find(style.layers.begin(), style.layers.end(), layer) != style.layers.end();
+  const auto shows = [&frame](Layer layer) {
+    return std::find(frame.layers.begin(), frame.layers.end(), layer) != frame.layers.end();
   };
   if (frame.demonstration) {
     draw_demonstration(stage);

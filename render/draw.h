@@ -5,16 +5,15 @@
 
 namespace proofreel {
 
-/// What of a frame is drawn, and how. Whatever the order of this list, from the back to the front lie the grid, water,
-/// fixed bodies, trails, moving bodies, parts, bvh, aabbs, joints, contacts, vectors, and then what is written.
 struct Style {
   Theme theme = Theme::light;
-  std::vector<Layer> layers;
   bool transparent = false;  ///< nothing behind what is drawn: alpha says how much of a pixel is covered
 };
 
-/// Draws one frame to fill the canvas. A pure function of its arguments. Water, captions and plots are always drawn:
-/// whoever wrote them asked for them. A demonstration takes the place of everything but the captions.
+/// Draws one frame to fill the canvas. Whatever the order of its layers, from the back to the front lie the grid,
+/// water, fixed bodies, trails, moving bodies, parts, bvh, aabbs, joints, contacts, vectors, and then what is written.
+/// A pure function of its arguments. Water, captions and plots are always drawn: whoever wrote them asked for them. A
+/// demonstration takes the place of everything but the captions.
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image);
 
 }  // namespace proofreel

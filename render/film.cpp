@@ -37,7 +37,7 @@ class FilmPipeline {
         request_(request),
         sink_(sink),
         size_(scenario.picture.size),
-        style_{scenario.picture.theme, scenario.picture.layers, request.transparent} {
+        style_{scenario.picture.theme, request.transparent} {
     for (std::size_t i = 0; i < picture_buffers; ++i) spare_.push(Image{});
   }
 

@@ -84,6 +84,12 @@ void OutputFile::publish() {
   pending_ = false;
 }
 
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw EnvironmentError("Cannot make the folder " + path + ": " + error.message() + ".");
+}
+
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
   OutputFile output(path);
   const int file = ::open(output.temporary_path().c_str(), O_WRONLY | O_CLOEXEC);

@@ -34,6 +34,9 @@ class OutputFile {
   bool pending_ = false;
 };
 
+/// Makes the folder, and those it lies in; nothing happens where it is there. Throws EnvironmentError.
+void make_folder(const std::string& path);
+
 /// Writes a whole file that way. Throws EnvironmentError: no folder, no permission, no space.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::string& path, const std::string& text);

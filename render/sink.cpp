@@ -120,8 +120,6 @@ void check_no_film_settings(const std::string& out, const FilmSettings& settings
   throw UsageError("--preset and --crf are for films, which " + (out == "-" ? "raw RGBA" : out) + " is not.");
 }
 
-std::string ending_of(const std::string& out) { return fs::path(out).extension().string(); }
-
 bool has_number(const std::string& out) { return fs::path(out).filename().string().find('%') != std::string::npos; }
 
 [[noreturn]] void refuse_ending(const std::string& out) {
@@ -143,6 +141,8 @@ std::optional<Quality> quality_named(std::string_view name) {
   if (name == "lossless") return Quality::lossless;
   return std::nullopt;
 }
+
+std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
 bool is_single_picture(const std::string& out) { return ending_of(out) == ".png" && !has_number(out); }
 

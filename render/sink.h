@@ -50,6 +50,9 @@ struct FilmSettings {
   std::int64_t first_frame = 0;        ///< number of the first picture, in the names of a sequence
 };
 
+/// ".mp4" of "films/a.mp4"; empty when there is none.
+std::string ending_of(const std::string& path);
+
 /// True when `out` holds one picture rather than a film: NAME.png without a number in it.
 bool is_single_picture(const std::string& out);
 

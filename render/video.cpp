@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 
 #include "render/context.h"
@@ -17,8 +16,6 @@ namespace {
 
 constexpr std::array<const char*, 10> x264_presets{"ultrafast", "superfast", "veryfast", "faster",   "fast",
                                                    "medium",    "slow",      "slower",   "veryslow", "placebo"};
-
-std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 void check_size(const std::string& path, Size size) {
   if (size.width_px % 2 == 0 && size.height_px % 2 == 0) return;

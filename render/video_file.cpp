@@ -1,7 +1,5 @@
 #include "render/video_file.h"
 
-#include <filesystem>
-
 #include "render/video_codec.h"
 
 namespace proofreel::av {
@@ -59,7 +57,7 @@ Writer::Writer(const std::string& path, std::string name, Layout layout, const A
                AVRational time_base, AVRational frame_rate, const std::vector<Chapter>& chapters)
     : name_(std::move(name)), time_base_(time_base) {
   AVFormatContext* format = nullptr;
-  const std::string ending = std::filesystem::path(name_).extension().string();
+  const std::string ending = ending_of(name_);
   check(avformat_alloc_output_context2(&format, nullptr, container_name(ending).c_str(), path.c_str()),
         "write " + name_);
   format_.reset(format);

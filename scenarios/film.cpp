@@ -110,6 +110,7 @@ Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot sn
   Frame frame;
   frame.index = index;
   frame.view = camera_view(scenario, recorder, snapshot);
+  frame.layers = scenario.picture.layers;
   frame.trails = recorder.trails(snapshot);
   frame.ghosts = recorder.ghosts();
   frame.arrows = arrows(scenario.picture, snapshot);

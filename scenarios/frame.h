@@ -57,7 +57,8 @@ struct PlotView {
 struct Frame {
   std::int64_t index = 0;  ///< film frame
   Snapshot snapshot;
-  View view;  ///< the camera, resolved
+  View view;                  ///< the camera, resolved
+  std::vector<Layer> layers;  ///< what of it is drawn
   std::vector<TrailView> trails;
   std::vector<GhostView> ghosts;
   std::vector<ArrowView> arrows;

@@ -12,10 +12,10 @@ using namespace proofreel::painted;
 
 namespace {
 
-Image drawn(const Frame& frame, const Style& style, int width_px = 480, int height_px = 270) {
+Image drawn(const Frame& frame, Theme theme = Theme::light, int width_px = 480, int height_px = 270) {
   Canvas canvas(context(), width_px, height_px);
   Image image;
-  draw_frame(canvas, frame, style, image);
+  draw_frame(canvas, frame, {theme}, image);
   return image;
 }
 
@@ -23,6 +23,7 @@ Image drawn(const Frame& frame, const Style& style, int width_px = 480, int heig
 Frame lone_body(const std::vector<std::vector<Vec2d>>& shapes, double radius) {
   Frame frame;
   frame.view = {{0, 0}, 4};
+  frame.layers = {Layer::bodies};
   BodyView body;
   body.id = static_cast<BodyId>(1);
   body.shape_count = static_cast<std::uint32_t>(shapes.size());
@@ -42,33 +43,29 @@ Color pixel(const Image& image, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("A frame drawn twice has the same bytes") {
-  const Style style{Theme::light, all_layers()};
-  CHECK(drawn(sample_frame(), style).rgba == drawn(sample_frame(), style).rgba);
-}
+TEST_CASE("A frame drawn twice has the same bytes") { CHECK(drawn(sample_frame()).rgba == drawn(sample_frame()).rgba); }
 
 TEST_CASE("Every layer changes the picture") {
-  const Image everything = drawn(sample_frame(), {Theme::light, all_layers()});
+  const Image everything = drawn(sample_frame());
   for (const Layer layer : all_layers()) {
     std::vector<Layer> others = all_layers();
     others.erase(std::find(others.begin(), others.end(), layer));
     INFO("layer " << static_cast<int>(layer));
-    CHECK(drawn(sample_frame(), {Theme::light, others}).rgba != everything.rgba);
+    CHECK(drawn(with_layers(sample_frame(), others)).rgba != everything.rgba);
   }
 }
 
 TEST_CASE("The order in which layers are asked for does not matter") {
   std::vector<Layer> backwards = all_layers();
   std::reverse(backwards.begin(), backwards.end());
-  CHECK(drawn(sample_frame(), {Theme::light, all_layers()}).rgba ==
-        drawn(sample_frame(), {Theme::light, backwards}).rgba);
+  CHECK(drawn(sample_frame()).rgba == drawn(with_layers(sample_frame(), backwards)).rgba);
 }
 
 TEST_CASE("The three themes differ, and print is gray throughout") {
-  const Image light = drawn(sample_frame(), {Theme::light, all_layers()});
-  const Image dark = drawn(sample_frame(), {Theme::dark, all_layers()});
+  const Image light = drawn(sample_frame());
+  const Image dark = drawn(sample_frame(), Theme::dark);
   Frame colourless = sample_frame();
-  const Image print = drawn(colourless, {Theme::print, all_layers()});
+  const Image print = drawn(colourless, Theme::print);
   CHECK(light.rgba != dark.rgba);
   CHECK(light.rgba != print.rgba);
   for (std::size_t i = 0; i < print.rgba.size(); i += 4) {
@@ -78,7 +75,7 @@ TEST_CASE("The three themes differ, and print is gray throughout") {
 }
 
 TEST_CASE("Every pixel of a frame is opaque") {
-  const Image image = drawn(sample_frame(), {Theme::dark, all_layers()});
+  const Image image = drawn(sample_frame(), Theme::dark);
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) REQUIRE(image.rgba[i] == 255);
 }
 
@@ -87,7 +84,7 @@ TEST_CASE("A frame without anything is the background alone, in any size") {
   for (const int height : {1, 31, 270}) {
     Frame frame;
     const Image image =
-        drawn(frame, {Theme::light, {Layer::bodies, Layer::contacts, Layer::labels}}, 2 * height, height);
+        drawn(with_layers(frame, {Layer::bodies, Layer::contacts, Layer::labels}), Theme::light, 2 * height, height);
     CHECK(pixel(image, height, height / 2) == palette.background);
     CHECK(std::count(image.rgba.begin(), image.rgba.end(), palette.background.b) >= 2 * height * height);
   }
@@ -97,18 +94,17 @@ TEST_CASE("A body is filled by its type or its own colour") {
   const std::vector<Vec2d> box{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const Palette& palette = palette_of(Theme::light);
   Frame frame = lone_body({box}, 0);
-  const Style style{Theme::light, {Layer::bodies}};
-  CHECK(pixel(drawn(frame, style), 240, 135) == palette.dynamic.fill);
+  CHECK(pixel(drawn(frame), 240, 135) == palette.dynamic.fill);
   frame.snapshot.bodies[0].type = BodyType::fixed;
-  CHECK(pixel(drawn(frame, style), 240, 135) == palette.fixed.fill);
+  CHECK(pixel(drawn(frame), 240, 135) == palette.fixed.fill);
   frame.snapshot.bodies[0].type = BodyType::kinematic;
-  CHECK(pixel(drawn(frame, style), 240, 135) == palette.kinematic.fill);
+  CHECK(pixel(drawn(frame), 240, 135) == palette.kinematic.fill);
   frame.snapshot.bodies[0].has_color = true;
   frame.snapshot.bodies[0].color = 0x12AB34;
-  CHECK(pixel(drawn(frame, style), 240, 135) == Color{0x12, 0xAB, 0x34, 255});
-  const Color awake = pixel(drawn(frame, style), 240, 135);
+  CHECK(pixel(drawn(frame), 240, 135) == Color{0x12, 0xAB, 0x34, 255});
+  const Color awake = pixel(drawn(frame), 240, 135);
   frame.snapshot.bodies[0].asleep = true;
-  CHECK(pixel(drawn(frame, style), 240, 135).r > awake.r);
+  CHECK(pixel(drawn(frame), 240, 135).r > awake.r);
 }
 
 TEST_CASE("Pieces that share edges are outlined as one body") {
@@ -116,16 +112,16 @@ TEST_CASE("Pieces that share edges are outlined as one body") {
   const std::vector<Vec2d> right{{0, -1}, {1, -1}, {1, 1}, {0, 1}};
   const std::vector<Vec2d> lower_right{{0, -1}, {1, -1}, {1, 0}, {0, 0}};
   const Color fill = palette_of(Theme::light).dynamic.fill;
-  const Image halves = drawn(lone_body({left, right}, 0), {Theme::light, {Layer::bodies}});
+  const Image halves = drawn(lone_body({left, right}, 0));
   for (int x = 190; x < 290; ++x) REQUIRE(pixel(halves, x, 135) == fill);
-  const Image step = drawn(lone_body({left, lower_right}, 0), {Theme::light, {Layer::bodies}});
+  const Image step = drawn(lone_body({left, lower_right}, 0));
   for (int x = 190; x < 290; ++x) REQUIRE(pixel(step, x, 170) == fill);
 }
 
 TEST_CASE("Pieces that overlap are outlined as one body") {
   const std::vector<Vec2d> flat{{-1.2, -0.3}, {1.2, -0.3}, {1.2, 0.3}, {-1.2, 0.3}};
   const std::vector<Vec2d> upright{{-0.3, -1.2}, {0.3, -1.2}, {0.3, 1.2}, {-0.3, 1.2}};
-  const Image image = drawn(lone_body({flat, upright}, 0), {Theme::light, {Layer::bodies}});
+  const Image image = drawn(lone_body({flat, upright}, 0));
   for (int x = 170; x < 310; ++x) REQUIRE(pixel(image, x, 135) == palette_of(Theme::light).dynamic.fill);
 }
 
@@ -156,8 +152,8 @@ TEST_CASE("Labels of crowded bodies neither cover each other nor leave the margi
   Frame frame;
   frame.view = {{0, 0}, 8};
   for (int i = 0; i < 12; ++i) frame.labels.push_back({{-6.9 + 0.2 * i, 3.8}, 0.1, "body " + std::to_string(i)});
-  const Style style{Theme::light, {Layer::labels}};
-  const Image image = drawn(frame, style, 1280, 720);
+  frame.layers = {Layer::labels};
+  const Image image = drawn(frame, Theme::light, 1280, 720);
   const Color background = palette_of(Theme::light).background;
   int inked = 0;
   for (int y = 0; y < 720; ++y) {
@@ -177,15 +173,15 @@ TEST_CASE("Curves of a plot survive values that are not finite and times without
   frame.plots[0].values[1][20] = std::numeric_limits<double>::infinity();
   frame.plots[1].times.clear();
   frame.plots[1].values = {{}, {}};
-  CHECK_NOTHROW(drawn(frame, {Theme::light, all_layers()}));
+  CHECK_NOTHROW(drawn(frame));
 }
 
 TEST_CASE("Water is drawn from its level down, behind the bodies, in every theme") {
   const Theme theme = GENERATE(Theme::light, Theme::dark, Theme::print);
   Frame frame = lone_body({{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}, 0);
-  const Image dry = drawn(frame, {theme, all_layers()});
+  const Image dry = drawn(frame, theme);
   frame.snapshot.water_level = 1;
-  const Image wet = drawn(frame, {theme, all_layers()});
+  const Image wet = drawn(frame, theme);
   CHECK(pixel(wet, 40, 20) == pixel(dry, 40, 20));          // 1.7 m up: air
   CHECK_FALSE(pixel(wet, 40, 200) == pixel(dry, 40, 200));  // 1 m down
   CHECK(pixel(wet, 240, 135) == pixel(dry, 240, 135));      // the body in the middle
@@ -193,11 +189,11 @@ TEST_CASE("Water is drawn from its level down, behind the bodies, in every theme
 
 TEST_CASE("Water above or below the picture fills it or leaves it alone") {
   Frame frame = lone_body({{{0, 0}}}, 0.1);
-  const Image dry = drawn(frame, {Theme::light, {}});
+  const Image dry = drawn(frame);
   frame.snapshot.water_level = -100;
-  CHECK(drawn(frame, {Theme::light, {}}).rgba == dry.rgba);
+  CHECK(drawn(frame).rgba == dry.rgba);
   frame.snapshot.water_level = 100;
-  const Image flooded = drawn(frame, {Theme::light, {}});
+  const Image flooded = drawn(frame);
   CHECK_FALSE(pixel(flooded, 0, 0) == pixel(dry, 0, 0));
   CHECK(pixel(flooded, 0, 0) == pixel(flooded, 479, 269));
 }

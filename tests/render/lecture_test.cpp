@@ -33,7 +33,7 @@ Canvas& canvas() {
 Image drawn(const Frame& frame, Theme theme, int width_px, int height_px) {
   Canvas large(context(), width_px, height_px);
   Image image;
-  draw_frame(large, frame, {theme, {}}, image);
+  draw_frame(large, frame, {theme}, image);
   return image;
 }
 

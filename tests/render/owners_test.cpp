@@ -15,18 +15,16 @@ namespace {
 
 constexpr int width = 480, height = 270;
 
-Style everything() { return {Theme::light, all_layers()}; }
-
-Image drawn(const Frame& frame, const Style& style) {
+Image drawn(const Frame& frame) {
   Canvas canvas(context(), width, height);
   Image image;
-  draw_frame(canvas, frame, style, image);
+  draw_frame(canvas, frame, {Theme::light}, image);
   return image;
 }
 
-OwnerPicture owners(const Frame& frame, const Style& style) {
+OwnerPicture owners(const Frame& frame) {
   Canvas canvas(context(), width, height);
-  return draw_owners(canvas, frame, style);
+  return draw_owners(canvas, frame, {Theme::light});
 }
 
 std::vector<Layer> without(Layer layer) {
@@ -42,7 +40,7 @@ bool same_pixel(const Image& a, const Image& b, int x, int y) {
 }  // namespace
 
 TEST_CASE("A picture of owners names something of every kind that is drawn") {
-  const OwnerPicture picture = owners(sample_frame(), everything());
+  const OwnerPicture picture = owners(sample_frame());
   REQUIRE(picture.indices.size() == std::size_t{width} * height);
   CHECK(picture.owners.front() == Owner{});
   for (const OwnerKind kind :
@@ -55,9 +53,9 @@ TEST_CASE("A picture of owners names something of every kind that is drawn") {
 }
 
 TEST_CASE("Where a layer leaves its mark in the picture, it or what lies on top of it is the owner") {
-  const Image with = drawn(sample_frame(), everything());
-  const Image less = drawn(sample_frame(), {Theme::light, without(Layer::contacts)});
-  const OwnerPicture picture = owners(sample_frame(), everything());
+  const Image with = drawn(sample_frame());
+  const Image less = drawn(with_layers(sample_frame(), without(Layer::contacts)));
+  const OwnerPicture picture = owners(sample_frame());
   int marked = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -74,13 +72,12 @@ TEST_CASE("Where a layer leaves its mark in the picture, it or what lies on top 
 }
 
 TEST_CASE("A pixel of the background is nobody's, and one that is nobody's is background") {
-  const Style bodies{Theme::light, {Layer::bodies}};
-  Frame frame = sample_frame();
+  Frame frame = with_layers(sample_frame(), {Layer::bodies});
   frame.captions.clear();
   frame.plots.clear();
   frame.snapshot.water_level.reset();
-  const Image image = drawn(frame, bodies);
-  const OwnerPicture picture = owners(frame, bodies);
+  const Image image = drawn(frame);
+  const OwnerPicture picture = owners(frame);
   const Color background = palette_of(Theme::light).background;
   int faint = 0;
   for (int y = 0; y < height; ++y) {
@@ -98,11 +95,11 @@ TEST_CASE("A pixel of the background is nobody's, and one that is nobody's is ba
 TEST_CASE("Asking for owners changes no picture that is drawn before or after on the same canvas") {
   Canvas canvas(context(), width, height);
   Image before, after;
-  draw_frame(canvas, sample_frame(), everything(), before);
-  const OwnerPicture first = draw_owners(canvas, sample_frame(), everything());
-  draw_frame(canvas, sample_frame(), everything(), after);
+  draw_frame(canvas, sample_frame(), {Theme::light}, before);
+  const OwnerPicture first = draw_owners(canvas, sample_frame(), {Theme::light});
+  draw_frame(canvas, sample_frame(), {Theme::light}, after);
   CHECK(before.rgba == after.rgba);
-  const OwnerPicture second = draw_owners(canvas, sample_frame(), everything());
+  const OwnerPicture second = draw_owners(canvas, sample_frame(), {Theme::light});
   CHECK(first.indices == second.indices);
   CHECK(first.owners == second.owners);
 }
@@ -134,7 +131,7 @@ TEST_CASE("A canvas paints owners by their number, the topmost one, without smoo
 }
 
 TEST_CASE("A picture of owners comes back from the image it is kept as") {
-  const OwnerPicture picture = owners(sample_frame(), everything());
+  const OwnerPicture picture = owners(sample_frame());
   const auto back = owner_picture_from(image_of(picture), picture.owners);
   REQUIRE(back.has_value());
   CHECK(back->indices == picture.indices);

@@ -91,6 +91,7 @@ PlotView sample_plot(Corner at) {
 Frame sample_frame() {
   Frame frame;
   frame.view = {{0, 2.4}, 6};
+  frame.layers = all_layers();
   frame.snapshot.tick = 480;
   frame.snapshot.time = 2;
   add_bodies(frame.snapshot);
@@ -109,6 +110,11 @@ std::vector<Layer> all_layers() {
   std::vector<Layer> layers;
   for (int i = 0; i < layer_count; ++i) layers.push_back(static_cast<Layer>(i));
   return layers;
+}
+
+Frame with_layers(Frame frame, std::vector<Layer> layers) {
+  frame.layers = std::move(layers);
+  return frame;
 }
 
 }  // namespace proofreel
