@@ -40,10 +40,17 @@ int gif_fps(const Scenario& scenario) {
   return fps;
 }
 
-void apply(const Options& options, Picture& picture) {
+/// In every pane, where there are several.
+void apply_layers(const std::string& layers, Scenario& scenario) {
+  scenario.picture.layers = parse_layers(layers, scenario.picture.layers);
+  for (const auto& pane : scenario.other_panes) apply_layers(layers, *pane);
+}
+
+void apply(const Options& options, Scenario& scenario) {
+  Picture& picture = scenario.picture;
   if (!options.size.empty()) picture.size = parse_size(options.size);
   if (!options.theme.empty()) picture.theme = parse_theme(options.theme);
-  if (options.layers) picture.layers = parse_layers(*options.layers, picture.layers);
+  if (options.layers) apply_layers(*options.layers, scenario);
   if (options.fps) picture.fps = *options.fps;
 }
 
@@ -84,7 +91,7 @@ int render(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
   Picture& picture = scenario->picture;
-  apply(options, picture);
+  apply(options, *scenario);
   if (is_gif(options.out) && !options.fps) picture.fps = gif_fps(*scenario);
   FilmRequest request{
       film_timeline(*scenario), {}, gl_backend_named(options.common.gl), options.transparent, options.common.threads};

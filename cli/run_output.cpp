@@ -99,7 +99,7 @@ Json json_of(const RunReport& report, const Stepper& stepper, const std::vector<
 
 std::string csv_of(const Scenario& scenario, const std::vector<Sample>& samples) {
   std::string text("t");
-  for (const Measure& measure : scenario.measures) text.append(",").append(csv_quoted(measure.name));
+  for (const std::string& name : measure_names(scenario)) text.append(",").append(csv_quoted(name));
   text += "\n";
   for (const Sample& sample : samples) {
     text += exact(static_cast<double>(sample.tick) / scenario.scene.rate);

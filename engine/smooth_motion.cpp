@@ -72,15 +72,23 @@ class Convergence {
   bool goes_on(real change, real size) {
     const bool settled = change <= std::numeric_limits<real>::epsilon() * size;  // not when they are no numbers
     const bool stuck = change >= last_ && change <= rounding * size;
+    rounds_without_gain_ = change < least_ ? 0 : rounds_without_gain_ + 1;
+    least_ = std::min(least_, change);
     last_ = change;
-    done_ = settled || stuck;
+    done_ = settled || stuck || (rounds_without_gain_ >= patience && change <= noise * size);
     return !done_;
   }
   bool done() const { return done_; }
 
  private:
   static constexpr real rounding = 64 * std::numeric_limits<real>::epsilon();
+  /// A stiff spring makes large accelerations of the last digits of places, and no round takes them away. What has got
+  /// no smaller for a while and is this small is such noise: an iteration that diverges grows instead.
+  static constexpr real noise = sizeof(real) == sizeof(double) ? real(1e-6) : real(1e-2);
+  static constexpr int patience = 8;
   real last_ = std::numeric_limits<real>::max();
+  real least_ = std::numeric_limits<real>::max();
+  int rounds_without_gain_ = 0;
   bool done_ = false;
 };
 

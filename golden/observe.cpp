@@ -23,13 +23,23 @@ void check_frames(const Scenario& scenario, const std::vector<std::int64_t>& fra
   }
 }
 
-std::vector<BodyPose> poses_of(const Scenario& scenario, const Snapshot& snapshot) {
-  std::vector<BodyPose> poses;
+/// The first of several panes has no number added to its bodies' ids, the next pane_stride, and so on.
+void add_poses(const Scenario& pane, const Snapshot& snapshot, std::uint32_t added, std::vector<BodyPose>& poses) {
+  const std::string prefix = pane.pane_title.empty() ? "" : pane.pane_title + ": ";
   for (const BodyView& body : snapshot.bodies) {
     const auto id = static_cast<std::uint32_t>(body.id);
-    const bool named = id >= 1 && id <= scenario.body_names.size();
-    poses.push_back({id, named ? scenario.body_names[id - 1] : std::string(), body.state.position.x,
+    const bool named = id >= 1 && id <= pane.body_names.size();
+    poses.push_back({id + added, named ? prefix + pane.body_names[id - 1] : std::string(), body.state.position.x,
                      body.state.position.y, body.state.angle});
+  }
+}
+
+std::vector<BodyPose> poses_of(const Scenario& scenario, const Frame& frame) {
+  std::vector<BodyPose> poses;
+  add_poses(scenario, frame.snapshot, 0, poses);
+  for (std::size_t i = 0; i < frame.other_panes.size(); ++i) {
+    add_poses(*scenario.other_panes[i], frame.other_panes[i].snapshot, static_cast<std::uint32_t>(i + 1) * pane_stride,
+              poses);
   }
   return poses;
 }
@@ -39,12 +49,18 @@ bool touches(const ContactView& contact) {
                      [](const ContactPoint& point) { return point.touching(); });
 }
 
-std::vector<Touch> touching_in(const Snapshot& snapshot) {
-  std::vector<Touch> touching;
+void add_touching(const Snapshot& snapshot, std::uint32_t added, std::vector<Touch>& touching) {
   for (const ContactView& contact : snapshot.contacts) {
     const auto a = static_cast<std::uint32_t>(contact.a), b = static_cast<std::uint32_t>(contact.b);
-    if (touches(contact)) touching.push_back({std::min(a, b), std::max(a, b)});
+    if (touches(contact)) touching.push_back({std::min(a, b) + added, std::max(a, b) + added});
   }
+}
+
+std::vector<Touch> touching_in(const Frame& frame) {
+  std::vector<Touch> touching;
+  add_touching(frame.snapshot, 0, touching);
+  for (std::size_t i = 0; i < frame.other_panes.size(); ++i)
+    add_touching(frame.other_panes[i].snapshot, static_cast<std::uint32_t>(i + 1) * pane_stride, touching);
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   return touching;
@@ -68,9 +84,9 @@ class Watched {
     ObservedFrame observed{index,
                            hex(runner_.trajectory_hash()),
                            std::move(picture.image),
-                           poses_of(scenario_, frame.snapshot),
+                           poses_of(scenario_, frame),
                            std::move(picture.hash),
-                           touching_in(frame.snapshot)};
+                           touching_in(frame)};
     if (watch_.at_frame) watch_.at_frame(scenario_, frame, observed);
     return observed;
   }

@@ -67,6 +67,11 @@ Aabbd bounds_of(const Quad& quad) {
   return {quad.center - reach, quad.center + reach};
 }
 
+Aabbd common_part(const Aabbd& a, const Aabbd& b) {
+  return {{std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y)},
+          {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y)}};
+}
+
 bool within_float(const Quad& quad) {
   return std::max({std::abs(quad.center.x), std::abs(quad.center.y), quad.half_x, quad.half_y}) < float_limit_px;
 }
@@ -86,24 +91,44 @@ struct Canvas::Impl {
   DrawMode mode = DrawMode::colors;
   std::uint32_t owner = 0;
 
+  PixelArea area;
+  Vec2d origin;  ///< of the area: what is asked for counts from it
+
   Impl(GlContext& context, int width_px, int height_px)
-      : gpu(context, width_px, height_px), batches(width_px, height_px) {}
+      : gpu(context, width_px, height_px), batches(width_px, height_px), area(whole()) {}
+
+  /// Where points of the area lie in the picture.
+  std::vector<Vec2d> placed(std::span<const Vec2d> points) const {
+    std::vector<Vec2d> places(points.begin(), points.end());
+    for (Vec2d& place : places) place += origin;
+    return places;
+  }
+
+  PixelArea whole() const { return {0, 0, gpu.width_px(), gpu.height_px()}; }
+
+  void enter(const PixelArea& part) {
+    area = part;
+    origin = {static_cast<double>(part.left), static_cast<double>(part.top)};
+  }
 
   /// What can be seen, with the pixels a soft edge reaches over.
   Aabbd picture(double margin) const {
-    return expanded(Aabbd{{0, 0}, {static_cast<double>(gpu.width_px()), static_cast<double>(gpu.height_px())}}, margin);
+    const Vec2d size{static_cast<double>(area.width), static_cast<double>(area.height)};
+    return expanded(Aabbd{origin, origin + size}, margin);
   }
+
+  bool is_whole() const { return area.width == gpu.width_px() && area.height == gpu.height_px(); }
 
   /// What to rasterise for a shape inside `quad`: the quad, or what of its bounds is in the picture when that is less.
   /// False when nothing of it can be seen.
   bool visible_part(const Quad& quad, Quad& part) const {
-    Aabbd bounds = bounds_of(quad);
-    const Aabbd frame = picture(soft_edge_px);
+    const Aabbd bounds = bounds_of(quad);
+    const bool whole_picture = is_whole();  // whose edges OpenGL keeps by itself
+    const Aabbd frame = picture(whole_picture ? soft_edge_px : 0);
     if (!overlaps(bounds, frame)) return false;
-    bounds.lower = {std::max(bounds.lower.x, frame.lower.x), std::max(bounds.lower.y, frame.lower.y)};
-    bounds.upper = {std::min(bounds.upper.x, frame.upper.x), std::min(bounds.upper.y, frame.upper.y)};
-    part = quad_of(bounds);
-    if (within_float(quad) && area(quad) < area(part)) part = quad;
+    const bool inside = whole_picture || contains(frame, bounds);
+    part = quad_of(common_part(bounds, frame));
+    if (inside && within_float(quad) && proofreel::area(quad) < proofreel::area(part)) part = quad;
     return true;
   }
 
@@ -272,11 +297,13 @@ void Canvas::Impl::add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color 
   if (glyph.width_px == 0) return;
   const Vec2d low{static_cast<double>(x_px + glyph.left_px), static_cast<double>(y_px + glyph.top_px)};
   const Aabbd box{low, low + Vec2d{static_cast<double>(glyph.width_px), static_cast<double>(glyph.height_px)}};
-  if (!overlaps(box, picture(0))) return;
+  const Aabbd frame = picture(0);
+  if (!overlaps(box, frame)) return;
+  const Aabbd seen = is_whole() ? box : common_part(box, frame);
   Instance<4> values{};
-  put_common(values.data(), quad_of(box), 0, {color, color, 0, 1});
+  put_common(values.data(), quad_of(seen), 0, {color, color, 0, 1});
   put(&values[12], Vec2d{static_cast<double>(glyph.x_px), static_cast<double>(glyph.y_px)} - low);
-  batches.add(ShapeKind::glyph, values, box);
+  batches.add(ShapeKind::glyph, values, seen);
 }
 
 Canvas::Canvas(GlContext& context, int width_px, int height_px)
@@ -284,11 +311,16 @@ Canvas::Canvas(GlContext& context, int width_px, int height_px)
 
 Canvas::~Canvas() = default;
 
-int Canvas::width_px() const { return impl_->gpu.width_px(); }
+int Canvas::width_px() const { return impl_->area.width; }
 
-int Canvas::height_px() const { return impl_->gpu.height_px(); }
+int Canvas::height_px() const { return impl_->area.height; }
+
+void Canvas::enter(const PixelArea& area) { impl_->enter(area); }
+
+void Canvas::leave() { impl_->enter(impl_->whole()); }
 
 void Canvas::clear(Color background) {
+  leave();
   impl_->batches.clear();
   impl_->background = background;
   impl_->mode = DrawMode::colors;
@@ -304,6 +336,7 @@ void Canvas::own(std::uint32_t owner) { impl_->owner = owner; }
 
 void Canvas::disc(Vec2d center, double radius, const Paint& paint) {
   Ink ink = ink_of(paint);
+  center += impl_->origin;
   if (!is_finite(center) || !(radius > 0)) return;
   if (radius > radius_limit_px) return impl_->add_edges(disc_near(center, radius, impl_->picture(0)), ink);
   if (radius < 0.5) {
@@ -316,21 +349,23 @@ void Canvas::disc(Vec2d center, double radius, const Paint& paint) {
 void Canvas::polygon(std::span<const Vec2d> corners, double radius, const Paint& paint) {
   if (corners.size() < 3 || corners.size() > 16 || !all_finite(corners) || !(radius >= 0)) return;
   if (doubled_area(corners) == 0) return;
+  const std::vector<Vec2d> places = impl_->placed(corners);
   Quad box;
-  if (is_rectangle(corners, box) && within_float(box)) return impl_->add_box(box, radius, ink_of(paint));
-  if (radius > 0) return impl_->add_rounded(oriented(corners), radius, ink_of(paint));
-  impl_->add_edges(oriented(corners), ink_of(paint));
+  if (is_rectangle(places, box) && within_float(box)) return impl_->add_box(box, radius, ink_of(paint));
+  if (radius > 0) return impl_->add_rounded(oriented(places), radius, ink_of(paint));
+  impl_->add_edges(oriented(places), ink_of(paint));
 }
 
 void Canvas::capsule(Vec2d a, Vec2d b, double radius, const Paint& paint) {
   if (!is_finite(a) || !is_finite(b) || !(radius > 0)) return;
-  impl_->add_capsule(a, b, radius, ink_of(paint));
+  impl_->add_capsule(a + impl_->origin, b + impl_->origin, radius, ink_of(paint));
 }
 
 void Canvas::line(Vec2d a, Vec2d b, double width, Color color) { capsule(a, b, 0.5 * width, {color, color, 0}); }
 
-void Canvas::stroke(std::span<const Vec2d> points, double width, Color from, Color to) {
-  if (points.size() < 2 || !all_finite(points) || !(width > 0)) return;
+void Canvas::stroke(std::span<const Vec2d> line, double width, Color from, Color to) {
+  if (line.size() < 2 || !all_finite(line) || !(width > 0)) return;
+  const std::vector<Vec2d> points = impl_->placed(line);
   double total = 0;
   for (std::size_t i = 1; i < points.size(); ++i) total += distance(points[i - 1], points[i]);
   double gone = 0;
@@ -365,6 +400,8 @@ void Canvas::arrow(Vec2d from, Vec2d to, double width, Color color) {
 }
 
 void Canvas::rectangle(Vec2d low, Vec2d high, double radius, const Paint& paint) {
+  low += impl_->origin;
+  high += impl_->origin;
   const double most = 0.5 * std::min(high.x - low.x, high.y - low.y);
   if (!is_finite(low) || !is_finite(high) || !(most > 0)) return;
   const double rounding = std::clamp(radius, 0.0, most);
@@ -376,6 +413,7 @@ void Canvas::rectangle(Vec2d low, Vec2d high, double radius, const Paint& paint)
 }
 
 void Canvas::text(std::string_view utf8, Vec2d baseline, int size_px, Align align, Color color) {
+  baseline += impl_->origin;
   const TextLine line = impl_->font.layout(utf8, size_px);
   const double width = static_cast<double>(line.width) / pen_per_pixel;
   const double shift = align == Align::left ? 0 : align == Align::center ? 0.5 * width : width;

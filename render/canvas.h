@@ -23,6 +23,14 @@ struct Paint {
   double outline_px = 0;
 };
 
+/// A part of a picture, in whole pixels.
+struct PixelArea {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+};
+
 enum class Align : std::uint8_t { left, center, right };
 
 /// What is drawn later lies on top. Nothing reaches the image before `finish`.
@@ -35,8 +43,14 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
+  /// Of the picture, or of the area that was entered.
   int width_px() const;
   int height_px() const;
+
+  /// From now on only this part of the picture is drawn on, as if it were all: coordinates count from its top left
+  /// corner. Areas do not nest; `clear` and `leave` end them.
+  void enter(const PixelArea& area);
+  void leave();
 
   void clear(Color background);
   /// Starts a picture of owners instead: every pixel that a mark colours, however faintly, becomes the number of the

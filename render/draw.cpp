@@ -29,33 +29,39 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
 void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
   const Camera camera(frame.view, canvas.width_px(), canvas.height_px());
   const Stage stage{canvas, frame, palette_of(style.theme), camera, sizes_of(canvas.height_px()), marks};
-  const auto shows = [&frame](Layer layer) {
-    return std::find(frame.layers.begin(), frame.layers.end(), layer) != frame.layers.end();
-  };
+  if (!frame.other_panes.empty()) return draw_split(stage);
+  Cards cards(stage.safe_area());
   if (frame.demonstration) {
     draw_demonstration(stage);
-    Cards cards(stage.safe_area());
     return draw_captions(stage, cards);
   }
-  if (shows(Layer::grid)) draw_grid(stage);
-  draw_water(stage);
-  if (shows(Layer::bodies)) draw_bodies(stage, true);
-  if (shows(Layer::trails)) draw_ghosts(stage);
-  if (shows(Layer::trails)) draw_trails(stage);
-  if (shows(Layer::bodies)) draw_bodies(stage, false);
-  draw_water_line(stage);
-  if (shows(Layer::parts)) draw_parts(stage);
-  if (shows(Layer::bvh)) draw_tree(stage);
-  if (shows(Layer::aabbs)) draw_boxes(stage);
-  if (shows(Layer::joints)) draw_joints(stage);
-  if (shows(Layer::contacts)) draw_contacts(stage);
-  if (shows(Layer::vectors)) draw_vectors(stage);
-  Cards cards(stage.safe_area());
-  if (shows(Layer::clock)) draw_clock(stage, cards);
+  draw_scene(stage);
+  if (frame.shows(Layer::clock)) draw_clock(stage, cards);
   draw_captions(stage, cards);
+  draw_notes(stage, cards);
+}
+
+void draw_scene(const Stage& stage) {
+  const Frame& frame = stage.frame;
+  if (frame.shows(Layer::grid)) draw_grid(stage);
+  draw_water(stage);
+  if (frame.shows(Layer::bodies)) draw_bodies(stage, true);
+  if (frame.shows(Layer::trails)) draw_ghosts(stage);
+  if (frame.shows(Layer::trails)) draw_trails(stage);
+  if (frame.shows(Layer::bodies)) draw_bodies(stage, false);
+  draw_water_line(stage);
+  if (frame.shows(Layer::parts)) draw_parts(stage);
+  if (frame.shows(Layer::bvh)) draw_tree(stage);
+  if (frame.shows(Layer::aabbs)) draw_boxes(stage);
+  if (frame.shows(Layer::joints)) draw_joints(stage);
+  if (frame.shows(Layer::contacts)) draw_contacts(stage);
+  if (frame.shows(Layer::vectors)) draw_vectors(stage);
+}
+
+void draw_notes(const Stage& stage, Cards& cards) {
   draw_plots(stage, cards);
-  if (shows(Layer::grid)) draw_grid_numbers(stage, cards);
-  if (shows(Layer::labels)) draw_labels(stage, cards);
+  if (stage.frame.shows(Layer::grid)) draw_grid_numbers(stage, cards);
+  if (stage.frame.shows(Layer::labels)) draw_labels(stage, cards);
 }
 
 }  // namespace proofreel

@@ -5,8 +5,6 @@
 namespace proofreel {
 namespace {
 
-bool at_top(Corner at) { return at == Corner::top_left || at == Corner::top || at == Corner::top_right; }
-
 double left_edge(const Aabbd& safe, double width, Corner at) {
   if (at == Corner::top_left || at == Corner::bottom_left) return safe.lower.x;
   if (at == Corner::top_right || at == Corner::bottom_right) return safe.upper.x - width;
@@ -39,7 +37,7 @@ Aabbd stacked(Aabbd card, const std::vector<Aabbd>& taken, double gap, bool down
 Aabbd Cards::place(Vec2d size, Corner at) {
   constexpr int columns = 3;
   const double gap = 0.25 * safe_.lower.y;
-  const double top = at_top(at) ? safe_.lower.y : safe_.upper.y - size.y;
+  const double top = is_at_top(at) ? safe_.lower.y : safe_.upper.y - size.y;
   const double left = left_edge(safe_, size.x, at);
   const double inward = left > 0.5 * (safe_.lower.x + safe_.upper.x - size.x) ? -1 : 1;
   const auto at_column = [&](int column) {
@@ -48,7 +46,7 @@ Aabbd Cards::place(Vec2d size, Corner at) {
   };
   Aabbd card = at_column(0);  // stays when the picture is too small for all its cards
   for (int column = 0; column < columns; ++column) {
-    const Aabbd fitting = stacked(at_column(column), taken_, gap, at_top(at));
+    const Aabbd fitting = stacked(at_column(column), taken_, gap, is_at_top(at));
     if (!contains(expanded(safe_, 1.0), fitting)) continue;
     card = fitting;
     break;

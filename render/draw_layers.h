@@ -23,6 +23,7 @@ struct Stage {
   Camera camera;
   Sizes sizes;
   std::vector<Owner>* marks = nullptr;  ///< by number; null when nobody asks whose pixels are
+  std::uint32_t first_body = 0;         ///< added to the ids of owners: tells the panes of a split screen apart
 
   Aabbd picture() const {
     return {{0, 0}, {static_cast<double>(canvas.width_px()), static_cast<double>(canvas.height_px())}};
@@ -31,13 +32,14 @@ struct Stage {
 
   /// What is drawn from now on belongs to this owner.
   void own(OwnerKind kind, BodyId a = {}, BodyId b = {}) const {
-    if (marks != nullptr) add_mark({kind, static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), {}});
+    if (marks != nullptr) add_mark({kind, number(a), number(b), {}});
   }
   void own(OwnerKind kind, const std::string& text, BodyId a = {}) const {
-    if (marks != nullptr) add_mark({kind, static_cast<std::uint32_t>(a), 0, text});
+    if (marks != nullptr) add_mark({kind, number(a), 0, text});
   }
 
  private:
+  std::uint32_t number(BodyId body) const { return first_body + static_cast<std::uint32_t>(body); }
   void add_mark(Owner owner) const {
     canvas.own(static_cast<std::uint32_t>(marks->size()));
     marks->push_back(std::move(owner));
@@ -62,6 +64,13 @@ class Cards {
   Aabbd safe_;
   std::vector<Aabbd> taken_;
 };
+
+/// The bodies and what belongs to them.
+void draw_scene(const Stage& stage);
+/// What is written on them: plots, numbers of the grid, labels.
+void draw_notes(const Stage& stage, Cards& cards);
+/// A split screen: titled panes, each with its scene, and the captions of the first on a band of their own.
+void draw_split(const Stage& stage);
 
 void draw_grid(const Stage& stage);
 /// Only where nothing else is written.

@@ -118,6 +118,9 @@ Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot sn
   frame.captions = captions(scenario, snapshot.tick);
   frame.plots = recorder.plots();
   if (!scenario.stories.empty()) frame.demonstration = view_of(scenario.stories, snapshot.time);
+  frame.pane_title = scenario.pane_title;
+  for (const Caption& caption : scenario.picture.captions)
+    (is_at_top(caption.at) ? frame.bands.above : frame.bands.below) = true;
   frame.snapshot = std::move(snapshot);
   return frame;
 }

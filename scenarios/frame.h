@@ -3,6 +3,7 @@
 /// One film frame as data: everything drawing needs, nothing it could change. Made by the runner, so that drawing may
 /// happen later and elsewhere while the simulation goes on.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -54,11 +55,21 @@ struct PlotView {
   std::vector<std::vector<double>> values;
 };
 
+/// Where the film has captions, now or at another time: there a split screen leaves room for them.
+struct Bands {
+  bool above = false;
+  bool below = false;
+};
+
+/// Bodies of pane n of a split screen, from 0, are told apart by n times this in pictures of owners and in references.
+inline constexpr std::uint32_t pane_stride = 1'000'000;
+
 struct Frame {
   std::int64_t index = 0;  ///< film frame
   Snapshot snapshot;
   View view;                  ///< the camera, resolved
   std::vector<Layer> layers;  ///< what of it is drawn
+  bool shows(Layer layer) const { return std::find(layers.begin(), layers.end(), layer) != layers.end(); }
   std::vector<TrailView> trails;
   std::vector<GhostView> ghosts;
   std::vector<ArrowView> arrows;
@@ -66,6 +77,9 @@ struct Frame {
   std::vector<CaptionView> captions;
   std::vector<PlotView> plots;
   std::optional<DemonstrationView> demonstration;  ///< takes the place of the bodies
+  std::string pane_title;                          ///< of a split screen, whose first pane this is
+  std::vector<Frame> other_panes;
+  Bands bands;
 };
 
 }  // namespace proofreel

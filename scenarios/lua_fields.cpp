@@ -104,7 +104,7 @@ void Fields::refuse(const char* key, const std::string& what) const {
   if (overrides_ != nullptr) {
     const auto set =
         std::find_if(overrides_->rbegin(), overrides_->rend(), [&](const auto& o) { return o.path == path; });
-    if (set != overrides_->rend()) throw Problem("--set " + set->text + ": " + path + " " + what);
+    if (set != overrides_->rend()) throw Problem(set->origin + ": " + path + " " + what);
   }
   throw Problem(word_ + ": " + key + " " + what, key);
 }

@@ -33,9 +33,10 @@ bool is_overridden(const Model& model, const std::string& path) {
 
 }  // namespace
 
-LuaScript::LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides)
+LuaScript::LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides, std::size_t pane)
     : model_(scenario), sandbox_(scenario.path, &model_) {
   model_.overrides = std::move(overrides);
+  model_.pane = pane;
 }
 
 void LuaScript::open(lua_State* state) {
@@ -53,6 +54,7 @@ void LuaScript::open(lua_State* state) {
   open_forces(state);
   open_time(state);
   open_picture(state);
+  open_panes(state);
   open_demonstrate(state);
   open_measures(state);
   sandbox_.set_known_names(global_names(state));
@@ -88,6 +90,8 @@ void LuaScript::finish_loading() {
 void LuaScript::time_stories() {
   Scenario& scenario = model_.scenario;
   if (scenario.stories.empty()) return;
+  if (!model_.panes.empty())
+    throw Problem("demonstrate{...} divides the picture itself: such a scenario has no pane{...}");
   if (!model_.bodies.empty())
     throw Problem("demonstrate{...} films an algorithm: a scenario that has one has no bodies");
   if (model_.timed) return;
@@ -147,19 +151,81 @@ void LuaScript::check_times() const {
     check("section " + quote(section.name) + ": at = ", section.at);
 }
 
-std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides) {
-  std::vector<ParsedOverride> parsed;
-  for (const Override& override : overrides) parsed.push_back(parse_override(override));
-  const std::string text = read_source(path);
+namespace {
+
+/// What a scenario, or every pane of one, is made of.
+struct Source {
+  std::string path;
+  std::string text;
+  std::vector<ParsedOverride> overrides;
+  std::map<std::string, std::string> settings;
+};
+
+struct Loaded {
+  std::unique_ptr<Scenario> scenario;
+  std::vector<PaneRecord> panes;
+};
+
+/// Runs the file; `own` replaces what is different in the pane that is made.
+Loaded loaded(const Source& source, std::size_t pane, const std::vector<ParsedOverride>& own) {
   auto scenario = std::make_unique<Scenario>();
-  scenario->path = path;
-  scenario->id = id_of(path);
-  for (std::size_t i = 0; i < parsed.size(); ++i) scenario->settings[parsed[i].path] = overrides[i].value;
-  auto script = std::make_unique<LuaScript>(*scenario, std::move(parsed));
-  script->load(text);
+  scenario->path = source.path;
+  scenario->id = id_of(source.path);
+  scenario->settings = source.settings;
+  std::vector<ParsedOverride> overrides = source.overrides;
+  overrides.insert(overrides.end(), own.begin(), own.end());
+  auto script = std::make_unique<LuaScript>(*scenario, std::move(overrides), pane);
+  script->load(source.text);
   scenario->source_hash = script->source_hash();
+  std::vector<PaneRecord> panes = script->panes();
+  if (!panes.empty()) scenario->pane_title = panes[std::min(pane, panes.size() - 1)].title;
   scenario->script = std::move(script);
-  return scenario;
+  return {std::move(scenario), std::move(panes)};
+}
+
+bool same_titles(const std::vector<PaneRecord>& a, const std::vector<PaneRecord>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const PaneRecord& p, const PaneRecord& q) { return p.title == q.title; });
+}
+
+/// What the panes have to say that the first has not said already.
+void add_warnings_of(const Scenario& pane, Scenario& whole) {
+  for (const std::string& warning : pane.warnings) {
+    if (std::find(whole.warnings.begin(), whole.warnings.end(), warning) == whole.warnings.end())
+      whole.warnings.push_back("pane " + quote(pane.pane_title) + ": " + warning);
+  }
+}
+
+std::unique_ptr<Scenario> with_panes(const Source& source, const std::vector<PaneRecord>& panes) {
+  if (panes.size() == 1) throw ScenarioError(source.path + ": one pane{...} is no split screen: make two or more");
+  std::unique_ptr<Scenario> whole;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    Loaded pane = loaded(source, i, panes[i].overrides);
+    if (!same_titles(pane.panes, panes)) {
+      throw ScenarioError(source.path +
+                          ": the file is run once for every pane, and must then call pane{...} for the same panes");
+    }
+    if (whole) {
+      add_warnings_of(*pane.scenario, *whole);
+      whole->other_panes.push_back(std::move(pane.scenario));
+    } else {
+      whole = std::move(pane.scenario);
+    }
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::unique_ptr<Scenario> load_scenario(const std::string& path, const std::vector<Override>& overrides) {
+  Source source{path, {}, {}, {}};
+  for (const Override& override : overrides) {
+    source.overrides.push_back(parse_override(override));
+    source.settings[source.overrides.back().path] = override.value;
+  }
+  source.text = read_source(path);
+  Loaded whole = loaded(source, 0, {});
+  return whole.panes.empty() ? std::move(whole.scenario) : with_panes(source, whole.panes);
 }
 
 }  // namespace proofreel

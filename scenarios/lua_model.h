@@ -73,6 +73,12 @@ struct Reference {
   std::vector<std::pair<double, double>> points;
 };
 
+/// One `pane{}`: a part of a split screen, and what of `scenario{}` is different in it.
+struct PaneRecord {
+  std::string title;
+  std::vector<ParsedOverride> overrides;
+};
+
 struct Model {
   explicit Model(Scenario& owner) : scenario(owner) {}
 
@@ -84,6 +90,8 @@ struct Model {
   bool timed = false;      ///< it said how long the scenario lasts
   int includes_open = 0;   ///< files being included right now
   std::vector<ParsedOverride> overrides;
+  std::size_t pane = 0;  ///< the one being made of the file, where it has panes
+  std::vector<PaneRecord> panes;
   Random random{1};
   std::vector<BodyRecord> bodies;  ///< body i + 1 is bodies[i]
   std::vector<JointRecord> joints;

@@ -16,7 +16,8 @@ namespace proofreel {
 class LuaScript : public Script {
  public:
   /// The scenario owns the script and must stay where it is.
-  LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides);
+  /// `pane` is the one to make, from 0, where the file turns out to have panes.
+  LuaScript(Scenario& scenario, std::vector<ParsedOverride> overrides, std::size_t pane);
 
   /// Runs the file's text and fills the scenario. Throws ScenarioError.
   void load(const std::string& text);
@@ -34,6 +35,7 @@ class LuaScript : public Script {
   void remember_variables() override;
   std::optional<std::string> changed_variable(ScriptFunction what, int index) override;
 
+  const std::vector<PaneRecord>& panes() const { return model_.panes; }
   /// Of the file's text and of all it includes.
   std::uint64_t source_hash() const { return sandbox_.source_hash(); }
 

@@ -87,7 +87,7 @@ std::vector<OverrideItem> parse_list(std::string_view text) {
 }  // namespace
 
 ParsedOverride parse_override(const Override& override) {
-  ParsedOverride parsed{full_path(override), override.key + "=" + override.value, {}, false};
+  ParsedOverride parsed{full_path(override), "--set " + override.key + "=" + override.value, {}, false};
   const std::string_view text = trimmed(override.value);
   parsed.is_list = text.size() >= 2 && text.front() == '{' && text.back() == '}';
   if (parsed.is_list) {

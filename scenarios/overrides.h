@@ -1,6 +1,7 @@
 #pragma once
 
-/// `--set KEY=VALUE`: which keys there are and how values are written.
+/// What replaces a value of `scenario{}`: `--set KEY=VALUE` from the command line, or a key of `pane{}`. Which keys
+/// there are and how values are written.
 
 #include <cstdint>
 #include <string>
@@ -16,7 +17,7 @@ using OverrideItem = std::variant<bool, std::int64_t, double, std::string>;
 /// One override, its value still to be checked against what the key takes.
 struct ParsedOverride {
   std::string path;                 ///< full key: "duration", "method.substeps"
-  std::string text;                 ///< as the user wrote it, for messages
+  std::string origin;               ///< for messages: "--set substeps=0"
   std::vector<OverrideItem> items;  ///< one, or those of a {list}
   bool is_list = false;
 };

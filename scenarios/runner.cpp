@@ -45,12 +45,40 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
   const bool named = body >= 1 && body <= scenario.body_names.size();
   const std::string who = named ? "body " + quote(scenario.body_names[body - 1]) : std::string("the scene");
   const std::string time = formatted("%.6g s", static_cast<double>(failure.tick) / scenario.scene.rate);
-  return scenario.path + ": the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + "): in " +
+  const std::string where = scenario.pane_title.empty() ? "" : "pane " + quote(scenario.pane_title) + ": ";
+  return scenario.path + ": " + where + "the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + "): in " +
          failure.stage + " the motion of " + who + " " + failure.what +
          "; use smaller forces or stiffness, or a higher rate";
 }
 
+/// Saving, resuming, peers and studies are about one scene.
+void must_be_one_scene(const Scenario& scenario) {
+  if (scenario.other_panes.empty()) return;
+  throw ScenarioError(scenario.path + ": this can be done with one scene only, and the file shows " +
+                      std::to_string(scenario.other_panes.size() + 1) +
+                      " side by side: put what a pane{...} of it holds into scenario{...} of a file of its own");
+}
+
+std::string in_pane(const Scenario& pane, const std::string& name) {
+  return pane.pane_title.empty() ? name : pane.pane_title + ": " + name;
+}
+
+void add(const Energy& more, Energy& energy) {
+  energy.kinetic += more.kinetic;
+  energy.potential += more.potential;
+  energy.booked_work += more.booked_work;
+}
+
 }  // namespace
+
+std::vector<std::string> measure_names(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const Measure& measure : scenario.measures) names.push_back(in_pane(scenario, measure.name));
+  for (const auto& pane : scenario.other_panes) {
+    for (const Measure& measure : pane->measures) names.push_back(in_pane(*pane, measure.name));
+  }
+  return names;
+}
 
 bool RunReport::all_held() const {
   return !failure && std::none_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.failed(); });
@@ -64,12 +92,14 @@ struct Runner::Impl {
         last_tick(scenario.ticks()),
         recorder(scenario),
         energy_watch(scenario.scene.gravity, scenario.picture.view.height) {
-    for (const Measure& measure : scenario.measures) report.measures.push_back({measure.name, 0, 0, 0, {}, {}});
+    for (const Measure& measure : scenario.measures)
+      report.measures.push_back({in_pane(scenario, measure.name), 0, 0, 0, {}, {}});
     for (const Expectation& expectation : scenario.expectations)
-      report.expectations.push_back({expectation.text, true, 0, {}});
+      report.expectations.push_back({in_pane(scenario, expectation.text), true, 0, {}});
     looked_at.resize(scenario.expectations.size());
     if (draws_forces(scenario.picture)) simulation->keep_forces();
     report.scenario = scenario.id;
+    for (const auto& pane : scenario.other_panes) others.push_back(std::make_unique<Runner>(*pane));
   }
 
   void start(const std::vector<std::int64_t>& saved_ticks) {
@@ -111,9 +141,18 @@ struct Runner::Impl {
     return !run.expectations[i].held || (over && run.expectations[i].looked_at);
   }
 
-  bool finished() const { return simulation->tick() >= last_tick || simulation->failure(); }
+  bool finished() const { return simulation->tick() >= last_tick || failed() != nullptr; }
 
-  /// One tick; false when the simulation failed in it.
+  /// The pane whose simulation has failed; null while all is well.
+  const Impl* failed() const {
+    if (simulation->failure()) return this;
+    for (const auto& other : others) {
+      if (const Impl* pane = other->impl_->failed()) return pane;
+    }
+    return nullptr;
+  }
+
+  /// One tick; false when a simulation failed in it.
   bool advance() {
     act(false);
     if (saver) saver->watch(ScriptFunction::field, 0, simulation->tick());
@@ -121,8 +160,26 @@ struct Runner::Impl {
     if (simulation->failure()) return false;
     report.trajectory_hash = chained_hash(report.trajectory_hash, simulation->state_hash());
     act(true);
+    if (!follow()) return false;
     look();
     return true;
+  }
+
+  /// Steps the other panes up to this one's time; false when one failed.
+  bool follow() {
+    const std::int64_t rate = scenario.scene.rate, tick = simulation->tick();
+    for (const auto& other : others) {
+      Impl& pane = *other->impl_;
+      while (!pane.finished() && pane.is_behind(tick, rate)) {
+        if (!pane.advance()) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether the next tick is due by the time tick / rate.
+  bool is_behind(std::int64_t tick, std::int64_t rate) const {
+    return (simulation->tick() + 1) * rate <= tick * scenario.scene.rate;
   }
 
   /// What the script does before a step, or when it has heard what the step set off; or what it did in the saved run.
@@ -147,8 +204,23 @@ struct Runner::Impl {
       samples.push_back({tick, {}});
     }
     for (std::size_t i = 0; i < scenario.measures.size(); ++i) look_at_measure(i, tick, sampled);
+    if (sampled) take_samples_of_others();
     for (std::size_t i = 0; i < scenario.expectations.size(); ++i) look_at_expectation(i, tick);
     if (saver && saver->wants(tick)) saver->keep(as_it_is());
+  }
+
+  void take_samples_of_others() {
+    std::vector<double>& values = samples.back().values;
+    for (const auto& other : others) {
+      const std::vector<double>& theirs = other->samples().back().values;
+      values.insert(values.end(), theirs.begin(), theirs.end());
+    }
+  }
+
+  std::uint64_t hash_of_all() const {
+    std::uint64_t hash = report.trajectory_hash;
+    for (const auto& other : others) hash = chained_hash(hash, other->trajectory_hash());
+    return hash;
   }
 
   SavedRun as_it_is() const {
@@ -210,12 +282,24 @@ struct Runner::Impl {
     looked_at[i] = true;
   }
 
-  /// After a failure of the simulation, what was never looked at has not held.
+  /// After a failure of a simulation, what was never looked at has not held.
   void give_up() {
-    report.failure = simulation->failure();
     for (std::size_t i = 0; i < looked_at.size(); ++i) {
       if (!looked_at[i]) report.expectations[i] = {scenario.expectations[i].text, false, simulation->tick(), {}};
     }
+  }
+
+  /// What another pane reports at the end. Where one has failed, none is stepped on.
+  void add_report_of(Runner& other, bool over, RunReport& whole) {
+    if (over) other.impl_->give_up();
+    const RunReport pane = over ? other.impl_->report : other.finish();
+    whole.state_hash = chained_hash(whole.state_hash, other.simulation().state_hash());
+    whole.measures.insert(whole.measures.end(), pane.measures.begin(), pane.measures.end());
+    whole.expectations.insert(whole.expectations.end(), pane.expectations.begin(), pane.expectations.end());
+    add(pane.initial_energy, whole.initial_energy);
+    add(pane.final_energy, whole.final_energy);
+    whole.max_energy_drift = std::max(whole.max_energy_drift, pane.max_energy_drift);
+    if (!whole.energy_grew) whole.energy_grew = pane.energy_grew;
   }
 
   Scenario& scenario;
@@ -226,24 +310,28 @@ struct Runner::Impl {
   EnergyWatch energy_watch;
   RunReport report;
   std::vector<Sample> samples;
-  std::vector<bool> looked_at;    ///< expectations
-  std::optional<RunSaver> saver;  ///< of a run that is to be saved
-  std::optional<Replay> replay;   ///< of a run that was
+  std::vector<bool> looked_at;                  ///< expectations
+  std::optional<RunSaver> saver;                ///< of a run that is to be saved
+  std::optional<Replay> replay;                 ///< of a run that was
+  std::vector<std::unique_ptr<Runner>> others;  ///< of Scenario::other_panes
 };
 
-Runner::Runner(Scenario& scenario) : Runner(scenario, make_simulation(scenario.scene)) {}
+Runner::Runner(Scenario& scenario) : Runner(scenario, std::vector<std::int64_t>{}) {}
 
-Runner::Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation)
-    : impl_(std::make_unique<Impl>(scenario, std::move(simulation))) {
+Runner::Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation) {
+  must_be_one_scene(scenario);
+  impl_ = std::make_unique<Impl>(scenario, std::move(simulation));
   impl_->start({});
 }
 
-Runner::Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks)
-    : impl_(std::make_unique<Impl>(scenario, make_simulation(scenario.scene))) {
+Runner::Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks) {
+  if (!saved_ticks.empty()) must_be_one_scene(scenario);
+  impl_ = std::make_unique<Impl>(scenario, make_simulation(scenario.scene));
   impl_->start(saved_ticks);
 }
 
 Runner::Runner(Scenario& scenario, const SavedRun& run, const std::string& file) {
+  must_be_one_scene(scenario);
   check_resumable(run, scenario, file);
   impl_ = std::make_unique<Impl>(scenario, make_simulation(scenario.scene));
   impl_->resume(run, file);
@@ -253,19 +341,23 @@ Runner::~Runner() = default;
 
 void Runner::step() {
   assert(!finished());
-  if (!impl_->advance()) throw ScenarioError(sentence(impl_->scenario, *impl_->simulation->failure()));
+  if (impl_->advance()) return;
+  const Impl& pane = *impl_->failed();
+  throw ScenarioError(sentence(pane.scenario, *pane.simulation->failure()));
 }
 
 bool Runner::finished() const { return impl_->finished(); }
 std::int64_t Runner::tick() const { return impl_->simulation->tick(); }
-std::uint64_t Runner::trajectory_hash() const { return impl_->report.trajectory_hash; }
+std::uint64_t Runner::trajectory_hash() const { return impl_->hash_of_all(); }
 const Simulation& Runner::simulation() const { return *impl_->simulation; }
 const std::vector<Sample>& Runner::samples() const { return impl_->samples; }
 
 Frame Runner::frame(std::int64_t index) const {
   Snapshot snapshot;
   impl_->simulation->observe(snapshot);
-  return make_frame(impl_->scenario, impl_->recorder, std::move(snapshot), index);
+  Frame frame = make_frame(impl_->scenario, impl_->recorder, std::move(snapshot), index);
+  for (const auto& other : impl_->others) frame.other_panes.push_back(other->frame(index));
+  return frame;
 }
 
 SavedRun Runner::saved(std::int64_t tick) const {
@@ -288,14 +380,18 @@ RunReport Runner::finish(const std::function<void()>& after_tick) {
   while (!finished()) {
     if (impl_->advance() && after_tick) after_tick();
   }
-  if (impl_->simulation->failure()) impl_->give_up();
+  const Impl* failed = impl_->failed();
+  if (failed != nullptr) impl_->give_up();
   if (impl_->replay && impl_->replay->ended_elsewhere(*impl_->simulation, impl_->report.trajectory_hash))
     impl_->scenario.warnings.push_back("the motion is not that of the saved run: the program has changed since");
   RunReport report = impl_->report;
   report.energy_grew = impl_->energy_watch.growth();
   if (report.energy_grew) impl_->scenario.warnings.push_back(sentence(*report.energy_grew, impl_->scenario.scene.rate));
   report.ticks = impl_->simulation->tick();
+  report.trajectory_hash = impl_->hash_of_all();
   report.state_hash = impl_->simulation->state_hash();
+  for (const auto& other : impl_->others) impl_->add_report_of(*other, failed != nullptr, report);
+  if (failed != nullptr) report.failure = failed->simulation->failure();
   return report;
 }
 

@@ -18,6 +18,7 @@
 
 namespace proofreel {
 
+/// Of a split screen, the names of measures and expectations begin with the pane they belong to: "title: name".
 struct MeasureResult {
   std::string name;
   double final = 0;
@@ -38,8 +39,11 @@ struct ExpectationResult {
 /// What was measured at one sampled tick.
 struct Sample {
   std::int64_t tick = 0;
-  std::vector<double> values;  ///< of Scenario::measures, in their order; NaN where it is not known
+  std::vector<double> values;  ///< of measure_names, in their order; NaN where it is not known
 };
+
+/// Of the scenario's measures, pane by pane.
+std::vector<std::string> measure_names(const Scenario& scenario);
 
 struct RunReport {
   std::string scenario;
@@ -57,11 +61,14 @@ struct RunReport {
   bool all_held() const;
 };
 
+/// The panes of a split screen are run side by side: each is at the last of its ticks that is not later than the first
+/// pane's. Ticks, samples and frames are counted by the first; hashes, measures, expectations and energies are of all.
 class Runner {
  public:
   /// The scenario must outlive the runner, and runs once.
   explicit Runner(Scenario& scenario);
-  /// Steps a simulation made of the scenario's scene by somebody else: a peer, or a test.
+  /// Steps a simulation made of the scenario's scene by somebody else: a peer, or a test. This and what is said of
+  /// saving and resuming is for one scene: throws ScenarioError where there are panes.
   Runner(Scenario& scenario, std::unique_ptr<Simulation> simulation);
   /// Keeps what it takes to go on from these ticks later, in another process: see `saved`.
   Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks);
@@ -77,7 +84,7 @@ class Runner {
   bool finished() const;
   std::int64_t tick() const;
   std::uint64_t trajectory_hash() const;
-  const Simulation& simulation() const;
+  const Simulation& simulation() const;  ///< of the first pane
   /// The picture of this moment, as film frame `index`. Plots and trails hold what happened until now.
   Frame frame(std::int64_t index) const;
   /// All samples so far: one at every film frame's tick and one at the last.

@@ -28,6 +28,7 @@ std::optional<Theme> theme_named(std::string_view name);
 
 /// Where a caption or a plot sits.
 enum class Corner : std::uint8_t { top_left, top, top_right, bottom_left, bottom, bottom_right };
+constexpr bool is_at_top(Corner at) { return at <= Corner::top_right; }
 
 /// The part of the world in the picture. Metres; the width follows from the picture's proportions.
 struct View {
@@ -201,6 +202,10 @@ struct Scenario {
   std::vector<Story> stories;                   ///< lecture films to show one after the other, in place of bodies
   std::vector<std::string> body_names;          ///< of body i + 1; grows with the bodies a running script makes
   std::unique_ptr<Script> script;
+  /// A split screen: this is its first pane, titled so, and these are the others: scenarios made of the same file, each
+  /// with what is different in its pane. They last as long, have as many frames a second and measure the same.
+  std::string pane_title;
+  std::vector<std::unique_ptr<Scenario>> other_panes;
 
   /// Ticks of the whole run: round(duration * rate).
   std::int64_t ticks() const;

@@ -116,6 +116,9 @@ std::vector<std::int64_t> film_timeline(const Scenario& scenario) {
   const int rate = scenario.scene.rate;
   const int fps = scenario.picture.fps;
   if (rate % fps != 0) refuse_rate(rate, fps);
+  for (const auto& pane : scenario.other_panes) {
+    if (pane->scene.rate % fps != 0) refuse_rate(pane->scene.rate, fps);
+  }
   const std::int64_t usual = rate / fps;
   const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
   std::vector<std::int64_t> frames;

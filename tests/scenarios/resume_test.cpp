@@ -81,6 +81,7 @@ TEST_CASE("Every scenario goes on from any tick as if it had never stopped, here
   for (const std::string& path : all_scenarios()) {
     INFO(path);
     const auto scenario = load_scenario(path, shortened(path));
+    if (!scenario->other_panes.empty()) continue;  // which are saved one by one, as files of their own
     const std::vector<std::int64_t> ticks = some_ticks(scenario->ticks(), hash_of(path.data(), path.size()));
     const Saved unbroken = run_and_save(*scenario, ticks);
     for (const SavedRun& run : unbroken.runs) {

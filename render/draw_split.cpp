@@ -1,0 +1,113 @@
+// The split screen: panes of one size in rows, a title over each, the film's captions on bands above and below that
+// keep their places throughout.
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/draw_layers.h"
+#include "render/draw_text.h"
+
+namespace proofreel {
+namespace {
+
+constexpr int band_lines = 2;
+
+struct Grid {
+  int columns = 1;
+  int rows = 1;
+};
+
+/// The rows and columns whose panes come nearest to 4 : 3, with few places left empty.
+Grid grid_of(int panes, Vec2d room) {
+  constexpr double wanted = 4.0 / 3, price_of_a_hole = 0.5;
+  Grid best;
+  double least = 1e300;
+  for (int columns = 1; columns <= panes; ++columns) {
+    const int rows = (panes + columns - 1) / columns;
+    const double shape = room.x / columns / (room.y / rows);
+    const double cost = std::max(shape / wanted, wanted / shape) + price_of_a_hole * (rows * columns - panes);
+    if (cost < least) best = {columns, rows};
+    least = std::min(least, cost);
+  }
+  return best;
+}
+
+/// Where the panes may lie: between the bands that captions keep.
+Aabbd room_of(const Stage& stage) {
+  Aabbd room = stage.safe_area();
+  const double text = stage.sizes.text;
+  if (stage.frame.bands.above) room.lower.y += line_height * stage.sizes.title + 1.6 * text;
+  if (stage.frame.bands.below) room.upper.y -= band_lines * line_height * text + 1.6 * text;
+  return room;
+}
+
+double gap_of(const Stage& stage) { return stage.sizes.text; }
+double title_height(const Stage& stage) { return std::ceil(1.6 * stage.sizes.text); }
+
+/// Pane `index`, its title included.
+Aabbd cell_of(const Stage& stage, const Aabbd& room, const Grid& grid, int index) {
+  const double gap = gap_of(stage);
+  const Vec2d size = room.upper - room.lower;
+  const double width = std::floor((size.x - gap * (grid.columns - 1)) / grid.columns);
+  const double height = std::floor((size.y - gap * (grid.rows - 1)) / grid.rows);
+  const Vec2d low{std::floor(room.lower.x + (index % grid.columns) * (width + gap)),
+                  std::floor(room.lower.y + std::floor(index / grid.columns) * (height + gap))};
+  return {low, low + Vec2d{width, height}};
+}
+
+PixelArea below_title(const Stage& stage, const Aabbd& cell) {
+  const double top = cell.lower.y + title_height(stage);
+  return {static_cast<int>(cell.lower.x), static_cast<int>(top), static_cast<int>(cell.upper.x - cell.lower.x),
+          std::max(1, static_cast<int>(cell.upper.y - top))};
+}
+
+/// Letters do not shrink as fast as the panes do.
+Sizes sizes_in(const Stage& stage, const PixelArea& area) {
+  return sizes_of(std::max(area.height, static_cast<int>(0.6 * stage.canvas.height_px())));
+}
+
+void draw_inside(const Stage& stage, const Frame& frame, const PixelArea& area, std::uint32_t first_body) {
+  stage.canvas.enter(area);
+  const Stage pane{stage.canvas,          frame,       stage.palette, Camera(frame.view, area.width, area.height),
+                   sizes_in(stage, area), stage.marks, first_body};
+  draw_scene(pane);
+  Cards cards(pane.safe_area());
+  if (frame.shows(Layer::clock)) draw_clock(pane, cards);
+  draw_notes(pane, cards);
+  stage.canvas.leave();
+}
+
+void draw_title(const Stage& stage, const Frame& frame, const Aabbd& cell) {
+  const double baseline = cell.lower.y + 0.5 * (title_height(stage) + cap_height * stage.sizes.text) - 1;
+  const int size = stage.canvas.text_width(frame.pane_title, stage.sizes.text) <= cell.upper.x - cell.lower.x
+                       ? stage.sizes.text
+                       : stage.sizes.small;
+  stage.canvas.text(frame.pane_title, {cell.lower.x, baseline}, size, Align::left, stage.palette.ink);
+}
+
+void draw_edge(const Stage& stage, const PixelArea& area) {
+  const Vec2d low{area.left - 1.0, area.top - 1.0};
+  stage.canvas.rectangle(low, low + Vec2d{area.width + 2.0, area.height + 2.0}, 0,
+                         {Color{0, 0, 0, 0}, stage.palette.plate_edge, 1});
+}
+
+}  // namespace
+
+void draw_split(const Stage& stage) {
+  const int count = 1 + static_cast<int>(stage.frame.other_panes.size());
+  const Aabbd room = room_of(stage);
+  const Grid grid = grid_of(count, room.upper - room.lower);
+  for (int i = 0; i < count; ++i) {
+    const Frame& frame = i == 0 ? stage.frame : stage.frame.other_panes[static_cast<std::size_t>(i) - 1];
+    const Aabbd cell = cell_of(stage, room, grid, i);
+    const PixelArea area = below_title(stage, cell);
+    draw_inside(stage, frame, area, static_cast<std::uint32_t>(i) * pane_stride);
+    stage.own(OwnerKind::pane, frame.pane_title);
+    draw_edge(stage, area);
+    draw_title(stage, frame, cell);
+  }
+  Cards cards(stage.safe_area());
+  draw_captions(stage, cards);
+}
+
+}  // namespace proofreel

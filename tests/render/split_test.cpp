@@ -1,0 +1,108 @@
+// Areas of a canvas, and the split screens drawn in them.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "render/draw_layers.h"
+#include "render/owners.h"
+#include "tests/render/painted.h"
+#include "tests/render/sample_frame.h"
+
+using namespace proofreel;
+using namespace proofreel::painted;
+
+namespace {
+
+constexpr PixelArea area{101, 57, 320, 180};
+
+bool is_inside(int x, int y) {
+  return x >= area.left && x < area.left + area.width && y >= area.top && y < area.top + area.height;
+}
+
+/// A frame of so many panes, all of which show the same.
+Frame split(int panes) {
+  Frame pane = sample_frame();
+  pane.pane_title = "pane";
+  Frame whole = pane;
+  pane.captions.clear();
+  whole.bands = {true, true};
+  for (int i = 1; i < panes; ++i) whole.other_panes.push_back(pane);
+  return whole;
+}
+
+Image drawn(const Frame& frame, int width_px, int height_px) {
+  Canvas canvas(context(), width_px, height_px);
+  Image image;
+  draw_frame(canvas, frame, {Theme::light}, image);
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("What is drawn in an area is what a picture of its size holds, and nothing lies outside") {
+  const Frame frame = sample_frame();
+  const auto draw = [&frame](Canvas& canvas) { draw_layers(canvas, frame, {Theme::light}, nullptr); };
+  const Image alone = picture(area.width, area.height, draw);
+  const Image whole = picture(640, 360, [&](Canvas& canvas) {
+    canvas.enter(area);
+    CHECK(canvas.width_px() == area.width);
+    CHECK(canvas.height_px() == area.height);
+    draw(canvas);
+    canvas.leave();
+    CHECK(canvas.width_px() == 640);
+  });
+  int largest = 0;
+  bool clean = true;
+  for (int y = 0; y < 360; ++y) {
+    for (int x = 0; x < 640; ++x) {
+      const std::uint8_t* pixel = whole.row(y) + 4 * x;
+      if (!is_inside(x, y)) {
+        clean = clean && pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
+        continue;
+      }
+      const std::uint8_t* same = alone.row(y - area.top) + 4 * (x - area.left);
+      for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(pixel[c] - same[c]));
+    }
+  }
+  CHECK(clean);
+  CHECK(largest <= 2);  // coordinates differ by the corner's, and so does their rounding
+}
+
+TEST_CASE("Shapes and letters larger than an area end exactly at its edges") {
+  const Image image = picture(200, 100, [](Canvas& canvas) {
+    canvas.enter({50, 20, 60, 40});
+    canvas.disc({30, 20}, 500, solid);
+    canvas.line({-100, 5}, {300, 35}, 9, black);
+    canvas.text("WWWWWWWWWWWWWWWW", {-20, 35}, 40, Align::left, black);
+  });
+  CHECK(ink(image) == Approx(60 * 40));
+}
+
+TEST_CASE("Split screens of 2 to 9 panes leave their margin free, upright or not") {
+  for (int panes = 2; panes <= 9; ++panes) {
+    for (const auto& [width, height] : {std::pair{640, 360}, {360, 640}, {400, 400}}) {
+      const Image image = drawn(split(panes), width, height);
+      const Color background = palette_of(Theme::light).background;
+      bool free = true;
+      for (int x = 0; x < width; ++x) {
+        for (const int y : {0, 5, height - 6, height - 1}) {
+          const std::uint8_t* pixel = image.row(y) + 4 * x;
+          free = free && Color{pixel[0], pixel[1], pixel[2], pixel[3]} == background;
+        }
+      }
+      INFO(panes << " panes in " << width << " x " << height);
+      CHECK(free);
+    }
+  }
+}
+
+TEST_CASE("Whose a pixel is tells the panes apart") {
+  Canvas canvas(context(), 640, 360);
+  const OwnerPicture picture = draw_owners(canvas, split(3), {Theme::light});
+  for (const std::uint32_t pane : {0U, 1U, 2U}) {
+    const auto of_pane = [pane](const Owner& owner) {
+      return owner.kind == OwnerKind::body && owner.a / pane_stride == pane;
+    };
+    CHECK(std::count_if(picture.owners.begin(), picture.owners.end(), of_pane) > 3);
+  }
+}
