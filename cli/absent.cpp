@@ -22,7 +22,7 @@ Subcommand absent(CLI::App& program, const char* name, const char* why) {
 std::vector<Subcommand> absent_commands([[maybe_unused]] CLI::App& program) {
   std::vector<Subcommand> commands;
 #ifndef PROOFREEL_PICTURES
-  for (const char* name : {"render", "bless", "diff", "report-merge", "doctor", "study", "scorecard"}) {
+  for (const char* name : {"render", "bless", "diff", "report-merge", "doctor", "study", "scorecard", "gallery"}) {
     commands.push_back(absent(program, name, " is not in this build, which has no pictures (PROOFREEL_PICTURES=OFF)."));
   }
 #endif

@@ -123,10 +123,6 @@ Checked checked(const CheckOne& check_one, const StoredScenario& scenario) {
   }
 }
 
-int jobs_of(const Options& options) {
-  return options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 /// Small pictures are drawn on the threads of the jobs alone, unless the user has decided: llvmpipe's own threads would
 /// only take turns with them. The pixels are the same for every number.
 void draw_on_jobs_alone(int jobs) {
@@ -142,7 +138,7 @@ CheckResults check_all(const Options& options, const std::vector<StoredScenario>
     };
   });
   std::size_t next = 0;
-  checks.run(scenarios.size(), jobs_of(options), [&](Checked one) {
+  checks.run(scenarios.size(), jobs_or_cores(options.jobs), [&](Checked one) {
     const std::string& file = scenarios[next++].file;
     if (one.result) {
       results.checks.push_back(std::move(*one.result));
@@ -182,7 +178,7 @@ void tell(const Options& options, const CheckResults& results, const std::string
 int check(const Options& options) {
   const std::vector<StoredScenario> all = scenarios_meant(options.scenarios, options.golden);
   CheckRecord record(options.targets, options.shard);
-  draw_on_jobs_alone(jobs_of(options));
+  draw_on_jobs_alone(jobs_or_cores(options.jobs));
   CheckResults results = check_all(options, in_shard(all, options.shard), record);
   add_orphans(options, all, results, record);
   record.finish();

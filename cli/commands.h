@@ -18,6 +18,7 @@ Subcommand report_merge_command(CLI::App& program);
 Subcommand doctor_command(CLI::App& program);
 Subcommand study_command(CLI::App& program);
 Subcommand scorecard_command(CLI::App& program);
+Subcommand gallery_command(CLI::App& program);
 #endif
 /// Subcommands this program does not have; calling one is a UsageError that says why.
 std::vector<Subcommand> absent_commands(CLI::App& program);

@@ -12,6 +12,11 @@
 
 namespace proofreel {
 
+/// How many things to do side by side: as many as asked for, or one for every core.
+inline int jobs_or_cores(int jobs) {
+  return jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// Does things on several threads and hands over what came of each in order, on the calling thread: what is told looks
 /// the same whatever the number of threads.
 template <typename Result>

@@ -16,14 +16,14 @@ enum Status { good = 0, failed = 1, wrong_use = 2, wrong_environment = 3 };
 
 std::vector<Subcommand> add_commands(CLI::App& program) {
   std::vector<Subcommand> commands{
-      list_command(program),      run_command(program),
+      list_command(program),    run_command(program),
 #ifdef PROOFREEL_PICTURES
       render_command(program),
 #endif
-      check_command(program),     explain_command(program),
+      check_command(program),   explain_command(program),
 #ifdef PROOFREEL_PICTURES
-      bless_command(program),     diff_command(program),         study_command(program),
-      scorecard_command(program), report_merge_command(program), doctor_command(program),
+      bless_command(program),   diff_command(program),         study_command(program),  scorecard_command(program),
+      gallery_command(program), report_merge_command(program), doctor_command(program),
 #endif
   };
   for (Subcommand& command : absent_commands(program)) commands.push_back(std::move(command));

@@ -201,7 +201,11 @@ std::optional<std::string> problem_with(const Demonstration& d) {
   return std::nullopt;
 }
 
-Story story_of(const Demonstration& demonstration) { return recipe_of(demonstration.algorithm).tell(demonstration); }
+Story story_of(const Demonstration& demonstration) {
+  Story story = recipe_of(demonstration.algorithm).tell(demonstration);
+  story.algorithm = demonstration.algorithm;
+  return story;
+}
 
 double duration_of(const std::vector<Story>& stories) {
   double seconds = 0;

@@ -112,6 +112,7 @@ struct Step {
 
 /// A demonstration from its beginning to its end.
 struct Story {
+  Algorithm algorithm{};
   std::vector<Pane> panes;
   std::vector<Step> steps;
 };
