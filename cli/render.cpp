@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/render_options.h"
 #include "cli/scenario_files.h"
+#include "render/output_file.h"
 #include "render/video.h"
 #include "scenarios/runner.h"
 #include "scenarios/timeline.h"
@@ -31,6 +32,7 @@ struct Options {
 };
 
 bool is_gif(const std::string& out) { return ending_of(out) == ".gif"; }
+bool is_svg(const std::string& out) { return ending_of(out) == ".svg"; }
 
 /// The scenario's own, or the largest that GIFs can show and that divides the rate.
 int gif_fps(const Scenario& scenario) {
@@ -57,7 +59,7 @@ void apply(const Options& options, Scenario& scenario) {
 FrameRange range_of(const Options& options, std::int64_t film_length) {
   FrameRange range{0, film_length - 1};
   if (!options.frames.empty()) range = parse_frames(options.frames, film_length);
-  if (is_single_picture(options.out)) range.first = range.last;
+  if (is_single_picture(options.out) || is_svg(options.out)) range.first = range.last;
   return range;
 }
 
@@ -87,6 +89,13 @@ std::vector<std::int64_t> stills_of(const Options& options, const std::string& p
   return frames;
 }
 
+int write_svg(const Options& options, Scenario& scenario, const FilmRequest& request) {
+  if (options.preset || options.crf) throw UsageError("--preset and --crf are for films, which an SVG is not.");
+  if (options.stills) throw UsageError("--stills makes several pictures, and an SVG is one: use --frames.");
+  write_file(options.out, svg_of(scenario, request));
+  return 0;
+}
+
 int render(const Options& options) {
   const std::unique_ptr<Scenario> scenario = load_scenario(scenario_file(options.scenario), options.common.overrides());
   if (!options.common.quiet) say_all(scenario->warnings);
@@ -98,6 +107,7 @@ int render(const Options& options) {
   const FrameRange range = range_of(options, static_cast<std::int64_t>(request.timeline.size()));
   const std::vector<FilmSection> sections = film_sections(*scenario, request.timeline);
   request.frames = options.stills ? stills_of(options, scenario->path, sections) : range.frames();
+  if (is_svg(options.out)) return write_svg(options, *scenario, request);
   note_interrupts();
   const std::unique_ptr<Sink> sink = make_sink(options.out, {.size = picture.size,
                                                              .fps = picture.fps,
@@ -146,10 +156,10 @@ Subcommand render_command(CLI::App& program) {
       add_command(program, "render", "Film a scenario, or take a picture of it",
                   "proofreel render pyramid -o pyramid.mp4 --size 1920x1080 --layers +contacts", options->common);
   app->add_option("SCENARIO", options->scenario, "Path of a .lua file, or an id such as pyramid")->required();
-  app->add_option(
-         "-o,--output", options->out,
-         "NAME.png (one picture), NAME%04d.png (one per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .hash, or - "
-         "for raw RGBA")
+  app->add_option("-o,--output", options->out,
+                  "NAME.png or NAME.svg (one picture), NAME%04d.png (one per frame), .mp4, .webm, .gif, .apng, .mov, "
+                  ".mkv, .hash, or - "
+                  "for raw RGBA")
       ->required()
       ->type_name("OUT");
   add_picture_options(*app, *options);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "render/canvas_geometry.h"
 #include "render/canvas_gpu.h"
+#include "render/svg.h"
 
 namespace proofreel {
 namespace {
@@ -83,7 +85,10 @@ bool all_finite(std::span<const Vec2d> points) {
 }  // namespace
 
 struct Canvas::Impl {
-  CanvasGpu gpu;
+  std::optional<CanvasGpu> gpu;  ///< without it, marks are written down
+  int width_px;
+  int height_px;
+  SvgWriter writer;
   Font font;
   FontAtlas atlas;
   BatchList batches;
@@ -94,8 +99,12 @@ struct Canvas::Impl {
   PixelArea area;
   Vec2d origin;  ///< of the area: what is asked for counts from it
 
-  Impl(GlContext& context, int width_px, int height_px)
-      : gpu(context, width_px, height_px), batches(width_px, height_px), area(whole()) {}
+  Impl(GlContext& context, int width, int height) : Impl(width, height) { gpu.emplace(context, width, height); }
+  Impl(int width, int height)
+      : width_px(width), height_px(height), writer(width, height), batches(width, height), area(whole()) {}
+
+  /// Where marks are written down; null where they are drawn.
+  SvgWriter* svg() { return gpu ? nullptr : &writer; }
 
   /// Where points of the area lie in the picture.
   std::vector<Vec2d> placed(std::span<const Vec2d> points) const {
@@ -104,7 +113,7 @@ struct Canvas::Impl {
     return places;
   }
 
-  PixelArea whole() const { return {0, 0, gpu.width_px(), gpu.height_px()}; }
+  PixelArea whole() const { return {0, 0, width_px, height_px}; }
 
   void enter(const PixelArea& part) {
     area = part;
@@ -117,7 +126,7 @@ struct Canvas::Impl {
     return expanded(Aabbd{origin, origin + size}, margin);
   }
 
-  bool is_whole() const { return area.width == gpu.width_px() && area.height == gpu.height_px(); }
+  bool is_whole() const { return area.width == width_px && area.height == height_px; }
 
   /// What to rasterise for a shape inside `quad`: the quad, or what of its bounds is in the picture when that is less.
   /// False when nothing of it can be seen.
@@ -309,21 +318,30 @@ void Canvas::Impl::add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color 
 Canvas::Canvas(GlContext& context, int width_px, int height_px)
     : impl_(std::make_unique<Impl>(context, width_px, height_px)) {}
 
+Canvas::Canvas(int width_px, int height_px) : impl_(std::make_unique<Impl>(width_px, height_px)) {}
+
 Canvas::~Canvas() = default;
 
 int Canvas::width_px() const { return impl_->area.width; }
 
 int Canvas::height_px() const { return impl_->area.height; }
 
-void Canvas::enter(const PixelArea& area) { impl_->enter(area); }
+void Canvas::enter(const PixelArea& area) {
+  impl_->enter(area);
+  if (SvgWriter* svg = impl_->svg()) svg->enter(area);
+}
 
-void Canvas::leave() { impl_->enter(impl_->whole()); }
+void Canvas::leave() {
+  impl_->enter(impl_->whole());
+  if (SvgWriter* svg = impl_->svg()) svg->leave();
+}
 
 void Canvas::clear(Color background) {
   leave();
   impl_->batches.clear();
   impl_->background = background;
   impl_->mode = DrawMode::colors;
+  if (SvgWriter* svg = impl_->svg()) svg->clear(background);
 }
 
 void Canvas::clear_for_owners() {
@@ -336,8 +354,9 @@ void Canvas::own(std::uint32_t owner) { impl_->owner = owner; }
 
 void Canvas::disc(Vec2d center, double radius, const Paint& paint) {
   Ink ink = ink_of(paint);
-  center += impl_->origin;
   if (!is_finite(center) || !(radius > 0)) return;
+  if (SvgWriter* svg = impl_->svg()) return svg->disc(center, radius, paint);
+  center += impl_->origin;
   if (radius > radius_limit_px) return impl_->add_edges(disc_near(center, radius, impl_->picture(0)), ink);
   if (radius < 0.5) {
     ink.strength = 4 * radius * radius;
@@ -349,6 +368,7 @@ void Canvas::disc(Vec2d center, double radius, const Paint& paint) {
 void Canvas::polygon(std::span<const Vec2d> corners, double radius, const Paint& paint) {
   if (corners.size() < 3 || corners.size() > 16 || !all_finite(corners) || !(radius >= 0)) return;
   if (doubled_area(corners) == 0) return;
+  if (SvgWriter* svg = impl_->svg()) return svg->polygon(corners, radius, paint);
   const std::vector<Vec2d> places = impl_->placed(corners);
   Quad box;
   if (is_rectangle(places, box) && within_float(box)) return impl_->add_box(box, radius, ink_of(paint));
@@ -358,6 +378,7 @@ void Canvas::polygon(std::span<const Vec2d> corners, double radius, const Paint&
 
 void Canvas::capsule(Vec2d a, Vec2d b, double radius, const Paint& paint) {
   if (!is_finite(a) || !is_finite(b) || !(radius > 0)) return;
+  if (SvgWriter* svg = impl_->svg()) return svg->capsule(a, b, radius, paint);
   impl_->add_capsule(a + impl_->origin, b + impl_->origin, radius, ink_of(paint));
 }
 
@@ -365,6 +386,7 @@ void Canvas::line(Vec2d a, Vec2d b, double width, Color color) { capsule(a, b, 0
 
 void Canvas::stroke(std::span<const Vec2d> line, double width, Color from, Color to) {
   if (line.size() < 2 || !all_finite(line) || !(width > 0)) return;
+  if (SvgWriter* svg = impl_->svg()) return svg->stroke(line, width, from, to);
   const std::vector<Vec2d> points = impl_->placed(line);
   double total = 0;
   for (std::size_t i = 1; i < points.size(); ++i) total += distance(points[i - 1], points[i]);
@@ -400,11 +422,12 @@ void Canvas::arrow(Vec2d from, Vec2d to, double width, Color color) {
 }
 
 void Canvas::rectangle(Vec2d low, Vec2d high, double radius, const Paint& paint) {
-  low += impl_->origin;
-  high += impl_->origin;
   const double most = 0.5 * std::min(high.x - low.x, high.y - low.y);
   if (!is_finite(low) || !is_finite(high) || !(most > 0)) return;
   const double rounding = std::clamp(radius, 0.0, most);
+  if (SvgWriter* svg = impl_->svg()) return svg->rectangle(low, high, rounding, paint);
+  low += impl_->origin;
+  high += impl_->origin;
   const Aabbd seen{{std::max(low.x, -float_limit_px), std::max(low.y, -float_limit_px)},
                    {std::min(high.x, float_limit_px), std::min(high.y, float_limit_px)}};
   const Ink ink = ink_of(paint);
@@ -413,10 +436,12 @@ void Canvas::rectangle(Vec2d low, Vec2d high, double radius, const Paint& paint)
 }
 
 void Canvas::text(std::string_view utf8, Vec2d baseline, int size_px, Align align, Color color) {
-  baseline += impl_->origin;
   const TextLine line = impl_->font.layout(utf8, size_px);
   const double width = static_cast<double>(line.width) / pen_per_pixel;
   const double shift = align == Align::left ? 0 : align == Align::center ? 0.5 * width : width;
+  if (SvgWriter* svg = impl_->svg())
+    return svg->text(impl_->font, utf8, {baseline.x - shift, baseline.y}, size_px, color);
+  baseline += impl_->origin;
   const auto left = static_cast<Pen>(std::floor(baseline.x - shift + 0.5)) * pen_per_pixel;
   const int y_px = static_cast<int>(std::floor(baseline.y + 0.5));
   for (const PlacedGlyph& placed : line.glyphs) {
@@ -432,7 +457,9 @@ double Canvas::text_width(std::string_view utf8, int size_px) {
 }
 
 void Canvas::finish(Image& image) {
-  impl_->gpu.draw(impl_->mode, impl_->background, impl_->batches.batches(), impl_->atlas, image);
+  impl_->gpu.value().draw(impl_->mode, impl_->background, impl_->batches.batches(), impl_->atlas, image);
 }
+
+std::string Canvas::svg() const { return impl_->writer.document(); }
 
 }  // namespace proofreel

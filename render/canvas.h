@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/vec2.h"
@@ -39,6 +40,8 @@ class Canvas {
   /// Draws through `context`, which must outlive the canvas and be used from one thread at a time.
   /// Throws EnvironmentError when the size or the context does not work.
   Canvas(GlContext& context, int width_px, int height_px);
+  /// Draws no pixels but an SVG document, for which it needs no OpenGL: see `svg`.
+  Canvas(int width_px, int height_px);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -79,6 +82,8 @@ class Canvas {
 
   /// Draws all that was asked for since `clear` and reads it into `image`, resized to fit.
   void finish(Image& image);
+  /// Of a canvas without OpenGL: all that was asked for since `clear`, as a document.
+  std::string svg() const;
 
  private:
   struct Impl;

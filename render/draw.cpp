@@ -26,6 +26,13 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
   if (style.transparent) make_straight(image);
 }
 
+std::string svg_of(const Frame& frame, const Style& style, Size size) {
+  Canvas canvas(size.width_px, size.height_px);
+  canvas.clear(style.transparent ? Color{0, 0, 0, 0} : palette_of(style.theme).background);
+  draw_layers(canvas, frame, style, nullptr);
+  return canvas.svg();
+}
+
 void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
   const Camera camera(frame.view, canvas.width_px(), canvas.height_px());
   const Stage stage{canvas, frame, palette_of(style.theme), camera, sizes_of(canvas.height_px()), marks};

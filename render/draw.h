@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "render/canvas.h"
 #include "scenarios/frame.h"
 
@@ -15,5 +17,8 @@ struct Style {
 /// A pure function of its arguments. Water, captions and plots are always drawn: whoever wrote them asked for them. A
 /// demonstration takes the place of everything but the captions.
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image);
+
+/// The same frame as an SVG document, as large on the page as in pixels.
+std::string svg_of(const Frame& frame, const Style& style, Size size);
 
 }  // namespace proofreel

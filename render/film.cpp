@@ -117,6 +117,13 @@ std::vector<std::int64_t> FrameRange::frames() const {
   return list;
 }
 
+std::string svg_of(Scenario& scenario, const FilmRequest& request) {
+  const std::int64_t index = request.frames.at(0);
+  Runner runner(scenario);
+  while (runner.tick() < request.timeline.at(static_cast<std::size_t>(index))) runner.step();
+  return svg_of(runner.frame(index), {scenario.picture.theme, request.transparent}, scenario.picture.size);
+}
+
 void render_film(Scenario& scenario, const FilmRequest& request, Sink& sink, const Progress& progress) {
   const int machine_cores = static_cast<int>(std::thread::hardware_concurrency());
   limit_drawing_threads(request.threads > 0 ? request.threads : machine_cores);

@@ -30,6 +30,9 @@ struct FilmRequest {
   int threads = 0;  ///< cores to share between drawing and encoding; 0: as many as the machine has
 };
 
+/// Runs the scenario up to the one frame of the request and draws it as SVG, without OpenGL.
+std::string svg_of(Scenario& scenario, const FilmRequest& request);
+
 /// Runs the scenario up to the last of the frames and films them in the scenario's size, theme and layers
 /// into `sink`, which is finished at the end. What lies between is stepped through but not drawn. Stepping (on
 /// the calling thread, where the script lives), drawing and encoding go on at the same time, a few frames apart. The

@@ -94,4 +94,20 @@ GlyphBitmap Font::rasterize(int glyph, int size_px, int phase) const {
   return bitmap;
 }
 
+std::vector<OutlinePiece> Font::outline(int glyph) const {
+  stbtt_vertex* vertices = nullptr;
+  const int count = stbtt_GetGlyphShape(&impl_->info, glyph, &vertices);
+  const auto em = static_cast<double>(impl_->units_per_em);
+  std::vector<OutlinePiece> pieces;
+  for (int i = 0; i < count; ++i) {
+    const stbtt_vertex& v = vertices[i];
+    const auto kind = v.type == STBTT_vmove   ? OutlinePiece::Kind::move
+                      : v.type == STBTT_vline ? OutlinePiece::Kind::line
+                                              : OutlinePiece::Kind::curve;  // DejaVu has no cubic ones
+    pieces.push_back({kind, {v.x / em, v.y / em}, {v.cx / em, v.cy / em}});
+  }
+  stbtt_FreeShape(&impl_->info, vertices);
+  return pieces;
+}
+
 }  // namespace proofreel

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/vec2.h"
+
 namespace proofreel {
 
 /// Positions along a line, in 1/64 pixel: fine enough to space letters evenly, and exact to add up.
@@ -37,6 +39,14 @@ struct GlyphBitmap {
   std::vector<std::uint8_t> coverage;
 };
 
+/// A piece of a glyph's outline. Em, y up, from the glyph's origin; every outline begins with a move and is closed.
+struct OutlinePiece {
+  enum class Kind : std::uint8_t { move, line, curve };  ///< curve: a parabola, by one control point
+  Kind kind = Kind::move;
+  Vec2d to;
+  Vec2d control;
+};
+
 class Font {
  public:
   Font();
@@ -48,6 +58,7 @@ class Font {
   TextLine layout(std::string_view utf8, int size_px) const;
   /// The glyph moved right by `phase` / glyph_phases of a pixel.
   GlyphBitmap rasterize(int glyph, int size_px, int phase) const;
+  std::vector<OutlinePiece> outline(int glyph) const;
 
  private:
   struct Impl;
