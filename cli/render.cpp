@@ -44,7 +44,7 @@ int gif_fps(const Scenario& scenario) {
 
 /// In every pane, where there are several.
 void apply_layers(const std::string& layers, Scenario& scenario) {
-  scenario.picture.layers = parse_layers(layers, scenario.picture.layers);
+  apply_layers(layers, scenario.picture);
   for (const auto& pane : scenario.other_panes) apply_layers(layers, *pane);
 }
 

@@ -84,6 +84,11 @@ std::vector<Layer> parse_layers(const std::string& text, const std::vector<Layer
   return layers;
 }
 
+void apply_layers(const std::string& text, Picture& picture) {
+  picture.layers = parse_layers(text, picture.layers);
+  for (LayerChange& change : picture.layer_changes) change.layers = parse_layers(text, change.layers);
+}
+
 Theme parse_theme(const std::string& text) {
   if (const std::optional<Theme> theme = theme_named(text)) return *theme;
   throw UsageError("There is no theme \"" + text + "\"; there are light, dark and print.");

@@ -19,6 +19,9 @@ FrameRange parse_frames(const std::string& text, std::int64_t film_length);
 /// "a,b" are the layers; "+c,-d" adds to and takes from `present`.
 std::vector<Layer> parse_layers(const std::string& text, const std::vector<Layer>& present);
 
+/// The same at all times of the film.
+void apply_layers(const std::string& text, Picture& picture);
+
 Theme parse_theme(const std::string& text);
 
 }  // namespace proofreel

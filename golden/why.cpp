@@ -28,6 +28,7 @@ std::string name_of(const Owner& owner, const BodyNames& names) {
     case OwnerKind::grid:
     case OwnerKind::water:
     case OwnerKind::clock:
+    case OwnerKind::energy:
       return words({"the ", kind});
     case OwnerKind::bvh:
       return "the hierarchy";
@@ -35,16 +36,22 @@ std::string name_of(const Owner& owner, const BodyNames& names) {
       return "the boxes of shapes";
     case OwnerKind::body:
       return names.of(owner.a);
+    case OwnerKind::highlight:
+      return owner.a == 0 ? "a highlight" : words({kind, " of ", names.of(owner.a)});
     case OwnerKind::trail:
     case OwnerKind::vector:
+    case OwnerKind::mass:
+    case OwnerKind::id:
       return words({kind, " of ", names.of(owner.a)});
     case OwnerKind::joint:
     case OwnerKind::contact:
+    case OwnerKind::force:
       return words({kind, " ", names.of(owner.a), " - ", names.of(owner.b)});
     case OwnerKind::caption:
     case OwnerKind::plot:
     case OwnerKind::label:
     case OwnerKind::pane:
+    case OwnerKind::note:
       return words({kind, " \"", shortened(owner.text), "\""});
   }
   return "";
@@ -52,8 +59,24 @@ std::string name_of(const Owner& owner, const BodyNames& names) {
 
 /// Whether it shows what happened to bodies, or on the way, wherever it stands.
 bool follows_state(OwnerKind kind) {
-  return kind == OwnerKind::trail || kind == OwnerKind::vector || kind == OwnerKind::plot || kind == OwnerKind::bvh ||
-         kind == OwnerKind::aabbs || kind == OwnerKind::contact || kind == OwnerKind::joint || kind == OwnerKind::pane;
+  switch (kind) {
+    case OwnerKind::trail:
+    case OwnerKind::vector:
+    case OwnerKind::plot:
+    case OwnerKind::bvh:
+    case OwnerKind::aabbs:
+    case OwnerKind::contact:
+    case OwnerKind::joint:
+    case OwnerKind::pane:
+    case OwnerKind::force:
+    case OwnerKind::mass:
+    case OwnerKind::id:
+    case OwnerKind::energy:
+    case OwnerKind::highlight:
+      return true;
+    default:
+      return false;
+  }
 }
 
 bool has_body(const Owner& owner, std::uint32_t body) { return body != 0 && (owner.a == body || owner.b == body); }

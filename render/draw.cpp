@@ -49,26 +49,36 @@ void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::ve
 }
 
 void draw_scene(const Stage& stage) {
-  const Frame& frame = stage.frame;
-  if (frame.shows(Layer::grid)) draw_grid(stage);
+  const auto shows = [&stage](Layer layer) { return stage.frame.shows(layer); };
+  const bool bodies = shows(Layer::bodies) || shows(Layer::islands);
+  if (shows(Layer::grid)) draw_grid(stage);
   draw_water(stage);
-  if (frame.shows(Layer::bodies)) draw_bodies(stage, true);
-  if (frame.shows(Layer::trails)) draw_ghosts(stage);
-  if (frame.shows(Layer::trails)) draw_trails(stage);
-  if (frame.shows(Layer::bodies)) draw_bodies(stage, false);
+  if (bodies) draw_bodies(stage, true);
+  if (shows(Layer::trails)) draw_ghosts(stage);
+  if (shows(Layer::trails)) draw_trails(stage);
+  if (bodies) draw_bodies(stage, false);
+  draw_highlights(stage);
   draw_water_line(stage);
-  if (frame.shows(Layer::parts)) draw_parts(stage);
-  if (frame.shows(Layer::bvh)) draw_tree(stage);
-  if (frame.shows(Layer::aabbs)) draw_boxes(stage);
-  if (frame.shows(Layer::joints)) draw_joints(stage);
-  if (frame.shows(Layer::contacts)) draw_contacts(stage);
-  if (frame.shows(Layer::vectors)) draw_vectors(stage);
+  if (shows(Layer::parts)) draw_parts(stage);
+  if (shows(Layer::bvh)) draw_tree(stage);
+  if (shows(Layer::aabbs)) draw_boxes(stage);
+  if (shows(Layer::joints)) draw_joints(stage);
+  if (shows(Layer::contacts)) draw_contacts(stage);
+  if (shows(Layer::forces)) draw_forces(stage);
+  if (shows(Layer::vectors)) draw_vectors(stage);
+  if (shows(Layer::mass)) draw_mass_centers(stage);
 }
 
 void draw_notes(const Stage& stage, Cards& cards) {
+  const auto shows = [&stage](Layer layer) { return stage.frame.shows(layer); };
   draw_plots(stage, cards);
-  if (stage.frame.shows(Layer::grid)) draw_grid_numbers(stage, cards);
-  if (stage.frame.shows(Layer::labels)) draw_labels(stage, cards);
+  if (shows(Layer::energy)) draw_energy(stage, cards);
+  if (shows(Layer::forces)) draw_force_key(stage, cards);
+  if (shows(Layer::islands)) draw_island_note(stage, cards);
+  if (shows(Layer::grid)) draw_grid_numbers(stage, cards);
+  draw_labels(stage, cards);
+  if (shows(Layer::mass)) draw_masses(stage, cards);
+  if (shows(Layer::ids)) draw_ids(stage, cards);
 }
 
 }  // namespace proofreel

@@ -13,9 +13,9 @@ struct Style {
 };
 
 /// Draws one frame to fill the canvas. Whatever the order of its layers, from the back to the front lie the grid,
-/// water, fixed bodies, trails, moving bodies, parts, bvh, aabbs, joints, contacts, vectors, and then what is written.
-/// A pure function of its arguments. Water, captions and plots are always drawn: whoever wrote them asked for them. A
-/// demonstration takes the place of everything but the captions.
+/// water, fixed bodies, trails, moving bodies, highlights, parts, bvh, aabbs, joints, contacts, forces, vectors,
+/// centres of mass, and then what is written. A pure function of its arguments. Water, captions, plots and highlights
+/// are always drawn: whoever wrote them asked for them. A demonstration takes the place of everything but the captions.
 void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& image);
 
 /// The same frame as an SVG document, as large on the page as in pixels.

@@ -2,6 +2,8 @@
 
 /// The layers of a picture, each drawn by one function from the same things.
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,6 +90,25 @@ void draw_tree(const Stage& stage);
 void draw_contacts(const Stage& stage);
 void draw_joints(const Stage& stage);
 void draw_boxes(const Stage& stage);
+/// Forces on bodies as arrows: those of contacts, along the normal and by friction, and the reactions of joints.
+void draw_forces(const Stage& stage);
+/// How long which force is drawn, and what the colours mean.
+void draw_force_key(const Stage& stage, Cards& cards);
+/// Says so where nobody tells which body belongs to which island.
+void draw_island_note(const Stage& stage, Cards& cards);
+/// A quartered disc on every centre of mass.
+void draw_mass_centers(const Stage& stage);
+/// What bodies weigh, beside their centres, where there is room.
+void draw_masses(const Stage& stage, Cards& cards);
+/// A body's number, within it or beside it, where there is room.
+void draw_ids(const Stage& stage, Cards& cards);
+/// Kinetic, potential and total energy as bars; a line marks what the total was at the start.
+void draw_energy(const Stage& stage, Cards& cards);
+/// How far the halo of a highlighted body reaches, and how wide the circle round a highlighted point is drawn.
+inline double halo_px(const Stage& stage) { return std::max(4.0, 8 * stage.sizes.unit); }
+inline double ring_px(const Stage& stage) { return std::max(2.5, 5 * stage.sizes.unit); }
+/// Halos of bodies and circles round points, over the bodies.
+void draw_highlights(const Stage& stage);
 void draw_trails(const Stage& stage);
 void draw_vectors(const Stage& stage);
 void draw_clock(const Stage& stage, Cards& cards);
@@ -96,6 +117,13 @@ void draw_plots(const Stage& stage, Cards& cards);
 void draw_labels(const Stage& stage, Cards& cards);
 /// A lecture film's step: heading and counters, panes, caption. It fills the picture.
 void draw_demonstration(const Stage& stage);
+
+/// Where what is written about a body may stand: the first side of its box that no card and, where there is a choice,
+/// no other body takes; with `apart` never on another body. Directions and sizes in pixels.
+std::optional<Aabbd> place_beside(const Cards& cards, const std::vector<Aabbd>& others, const Aabbd& box, Vec2d size,
+                                  bool apart);
+/// The boxes of all bodies but one; the fixed ones may be written on.
+std::vector<Aabbd> other_bodies(const Stage& stage, const BodyView* body);
 
 /// The box around a body's shapes, in pixels; empty without shapes.
 Aabbd box_px(const Stage& stage, const BodyView& body);

@@ -4,24 +4,24 @@
 
 #include "render/draw_layers.h"
 #include "render/draw_text.h"
+#include "render/plot_axes.h"
 
 namespace proofreel {
 namespace {
 
-struct Range {
-  double low = 0;
-  double high = 1;
-};
-
-/// The time axis: as wide as asked for, its end at the latest sample once there are enough.
-Range time_range(const PlotView& plot) {
+/// Of a quantity: what it has reached so far. Of time: as wide as asked for, its end at the latest sample once there
+/// are enough.
+Range across_range(const PlotView& plot, int most_ticks) {
+  if (plot.is_portrait()) return axis_range({plot.x_reach.low, plot.x_reach.high}, most_ticks);
   const double now = plot.times.empty() ? 0 : plot.times.back();
   const double from = std::max(0.0, now - plot.seconds);
   return {from, from + plot.seconds};
 }
 
-/// The value axis holds all samples so far, so that it changes seldom, and ends at ticks.
+/// The value axis holds all samples there are, so that it changes seldom, and ends at ticks; that of a phase portrait
+/// holds those that have faded away, too.
 Range value_range(const PlotView& plot, int most_ticks) {
+  if (plot.is_portrait()) return axis_range({plot.y_reach.low, plot.y_reach.high}, most_ticks);
   constexpr double none = std::numeric_limits<double>::max();
   Range range{none, -none};
   for (const std::vector<double>& values : plot.values) {
@@ -31,15 +31,7 @@ Range value_range(const PlotView& plot, int most_ticks) {
       range.high = std::max(range.high, value);
     }
   }
-  if (range.low > range.high) return {0, 1};
-  const double size = std::max(std::abs(range.low), std::abs(range.high));
-  if (range.low > 0 && range.low < 0.5 * range.high) range.low = 0;
-  if (range.high < 0 && range.high > 0.5 * range.low) range.high = 0;
-  // A curve that is flat so far, or only begins, gets room around it instead of an axis of its last digits.
-  if (size == 0) return {0, 1};
-  if (range.high - range.low <= 1e-6 * size) range = {range.low - 0.1 * size, range.high + 0.1 * size};
-  const double step = ticks_in(range.low, range.high, most_ticks).step;
-  return {std::floor(range.low / step + 1e-9) * step, std::ceil(range.high / step - 1e-9) * step};
+  return axis_range(range, most_ticks);
 }
 
 /// A chart's card and what lies where on it, in pixels.
@@ -47,13 +39,13 @@ struct Chart {
   const PlotView* plot = nullptr;
   Aabbd card;
   Aabbd area;  ///< where the curves are
-  Range times;
+  Range across;
   Range values;
-  Ticks time_ticks;
+  Ticks across_ticks;
   Ticks value_ticks;
   int size = 0;  ///< of its text
-  double x(double time) const {
-    return area.lower.x + (time - times.low) / (times.high - times.low) * (area.upper.x - area.lower.x);
+  double x(double at) const {
+    return area.lower.x + (at - across.low) / (across.high - across.low) * (area.upper.x - area.lower.x);
   }
   double y(double value) const {
     return area.upper.y - (value - values.low) / (values.high - values.low) * (area.upper.y - area.lower.y);
@@ -82,11 +74,19 @@ std::vector<LegendEntry> legend_of(const Stage& stage, const PlotView& plot, int
   return entries;
 }
 
-double widest_number(const Stage& stage, const Ticks& ticks, int size) {
+std::string value_text(const Chart& chart, int i) {
+  return number_text(chart.value_ticks.at(i), chart.value_ticks.decimals);
+}
+
+/// "speed, m/s"; what is empty is left out.
+std::string named_with_unit(const std::string& name, const std::string& unit) {
+  return name.empty() || unit.empty() ? name + unit : name + ", " + unit;
+}
+
+double widest_number(const Stage& stage, const Chart& chart) {
   double widest = 0;
-  for (int i = 0; i < ticks.count; ++i) {
-    widest = std::max(widest, stage.canvas.text_width(number_text(ticks.at(i), ticks.decimals), size));
-  }
+  for (int i = 0; i < chart.value_ticks.count; ++i)
+    widest = std::max(widest, stage.canvas.text_width(value_text(chart, i), chart.size));
   return widest;
 }
 
@@ -96,24 +96,25 @@ Color curve_color(const Stage& stage, std::size_t curve) {
 
 Chart chart_of(const Stage& stage, Cards& cards, const PlotView& plot, std::vector<LegendEntry>& legend) {
   constexpr int most_value_ticks = 4;
-  constexpr int most_time_ticks = 6;
+  constexpr int most_across_ticks = 6;
   Chart chart;
   chart.plot = &plot;
   chart.size = stage.sizes.small;
   const double size = chart.size;
   const double padding = 0.7 * size;
   const double width = 21 * size;
-  chart.times = time_range(plot);
+  chart.across = across_range(plot, most_across_ticks - 1);
   chart.values = value_range(plot, most_value_ticks);
-  chart.time_ticks = ticks_in(chart.times.low, chart.times.high, most_time_ticks);
+  chart.across_ticks = ticks_in(chart.across.low, chart.across.high, most_across_ticks);
   chart.value_ticks = ticks_in(chart.values.low, chart.values.high, most_value_ticks + 1);
   int rows = 0;
   legend = legend_of(stage, plot, chart.size, width - 2 * padding, rows);
-  const double title = plot.title.empty() ? 0 : line_height * size;
+  const double title = plot.title.empty() && plot.unit.empty() ? 0 : line_height * size;
   const double head = padding + title + rows * line_height * size + 0.5 * size;
-  const double foot = padding + 1.5 * size;
-  chart.card = cards.place({width, head + 6 * size + foot}, plot.at);
-  const double numbers = widest_number(stage, chart.value_ticks, chart.size);
+  const double foot = padding + (plot.is_portrait() ? 2.7 : 1.5) * size;
+  const double curves = (plot.is_portrait() ? 9 : 6) * size;
+  chart.card = cards.place({width, head + curves + foot}, plot.at);
+  const double numbers = widest_number(stage, chart);
   chart.area = {{std::ceil(chart.card.lower.x + padding + numbers + 0.5 * size), std::ceil(chart.card.lower.y + head)},
                 {std::floor(chart.card.upper.x - padding - 1.2 * size), std::floor(chart.card.upper.y - foot)}};
   return chart;
@@ -122,9 +123,9 @@ Chart chart_of(const Stage& stage, Cards& cards, const PlotView& plot, std::vect
 void draw_head(const Stage& stage, const Chart& chart, const std::vector<LegendEntry>& legend) {
   const double padding = 0.7 * chart.size;
   Vec2d at{chart.card.lower.x + padding, chart.card.lower.y + padding};
-  if (!chart.plot->title.empty()) {
-    stage.canvas.text(chart.plot->title, {at.x, at.y + cap_height * chart.size}, chart.size, Align::left,
-                      stage.palette.ink);
+  const std::string title = named_with_unit(chart.plot->title, chart.plot->unit);
+  if (!title.empty()) {
+    stage.canvas.text(title, {at.x, at.y + cap_height * chart.size}, chart.size, Align::left, stage.palette.ink);
     at.y += line_height * chart.size;
   }
   for (const LegendEntry& entry : legend) {
@@ -143,34 +144,20 @@ void draw_value_axis(const Stage& stage, const Chart& chart) {
     const bool zero = std::abs(value) < 0.5 * chart.value_ticks.step;
     const Color color = zero ? stage.palette.quiet_ink : stage.palette.grid_axis;
     stage.canvas.rectangle({chart.area.lower.x, y}, {chart.area.upper.x, y + 1}, 0, {color, color, 0});
-    stage.canvas.text(number_text(value, chart.value_ticks.decimals),
-                      {chart.area.lower.x - 0.5 * chart.size, y + 0.5 * cap_height * chart.size}, chart.size,
-                      Align::right, stage.palette.quiet_ink);
+    stage.canvas.text(value_text(chart, i), {chart.area.lower.x - 0.5 * chart.size, y + 0.5 * cap_height * chart.size},
+                      chart.size, Align::right, stage.palette.quiet_ink);
   }
 }
 
-/// Numbers that would touch their neighbour or leave the card are left out; the last one carries the unit.
-void draw_time_axis(const Stage& stage, const Chart& chart) {
-  const double baseline = chart.area.upper.y + 1.25 * chart.size;
-  const std::string unit = " s";
-  double end = chart.card.lower.x;
-  for (int i = 0; i < chart.time_ticks.count; ++i) {
-    const double x = std::floor(chart.x(chart.time_ticks.at(i)));
-    stage.canvas.rectangle({x, chart.area.upper.y}, {x + 1, chart.area.upper.y + 0.3 * chart.size}, 0,
-                           {stage.palette.quiet_ink, stage.palette.quiet_ink, 0});
-    const std::string number = number_text(chart.time_ticks.at(i), chart.time_ticks.decimals);
-    const bool last = i + 1 == chart.time_ticks.count;
-    const double width = stage.canvas.text_width(last ? number + unit : number, chart.size);
-    const double left =
-        std::min(x - 0.5 * stage.canvas.text_width(number, chart.size), chart.card.upper.x - 0.4 * chart.size - width);
-    if (left < end) continue;
-    stage.canvas.text(last ? number + unit : number, {left, baseline}, chart.size, Align::left,
-                      stage.palette.quiet_ink);
-    end = left + width + 0.4 * chart.size;
-  }
-  const double bottom = chart.area.upper.y;
-  stage.canvas.rectangle({chart.area.lower.x, bottom}, {chart.area.upper.x, bottom + 1}, 0,
-                         {stage.palette.quiet_ink, stage.palette.quiet_ink, 0});
+/// Of time, or of the quantity that has the other place, under its name.
+void draw_across_axis(const Stage& stage, const Chart& chart) {
+  const PlotView& plot = *chart.plot;
+  draw_lower_axis(
+      stage, {chart.card, chart.area, chart.size, chart.across, chart.across_ticks, plot.is_portrait() ? "" : "s"});
+  if (!plot.is_portrait()) return;
+  stage.canvas.text(named_with_unit(plot.x_name, plot.x_unit),
+                    {0.5 * (chart.area.lower.x + chart.area.upper.x), chart.area.upper.y + 2.5 * chart.size},
+                    chart.size, Align::center, stage.palette.ink);
 }
 
 /// Collects the points of one unbroken piece of a curve. Of samples in the same column of pixels, the first, the
@@ -210,7 +197,7 @@ void draw_curve(const Stage& stage, const Chart& chart, std::size_t curve) {
   Piece piece;
   for (std::size_t i = 0; i < std::min(values.size(), chart.plot->times.size()); ++i) {
     const double time = chart.plot->times[i];
-    if (time < chart.times.low) continue;
+    if (time < chart.across.low) continue;
     if (std::isfinite(values[i])) {
       piece.add({chart.x(time), chart.y(values[i])});
     } else {
@@ -220,6 +207,23 @@ void draw_curve(const Stage& stage, const Chart& chart, std::size_t curve) {
   piece.draw(stage, width, color);
 }
 
+/// One quantity against another: fading towards the past, a dot where it is now.
+void draw_orbit(const Stage& stage, const Chart& chart, std::size_t curve) {
+  constexpr double apart_px = 1;
+  std::vector<Vec2d> points;
+  for (std::size_t i = 0; i < chart.plot->xs.size(); ++i) {
+    const Vec2d at{chart.x(chart.plot->xs[i]), chart.y(chart.plot->values[curve][i])};
+    if (points.empty() || distance(points.back(), at) >= apart_px || i + 1 == chart.plot->xs.size())
+      points.push_back(at);
+  }
+  if (points.empty()) return;
+  const Color color = curve_color(stage, curve);
+  const Color faint{color.r, color.g, color.b, 0};
+  stage.canvas.stroke(points, std::max(1.5, 2.75 * stage.sizes.unit), faint, color);
+  stage.canvas.disc(points.back(), std::max(3.0, 5 * stage.sizes.unit),
+                    {color, stage.palette.plate, std::max(1.0, 1.25 * stage.sizes.unit)});
+}
+
 void draw_plot(const Stage& stage, Cards& cards, const PlotView& plot) {
   std::vector<LegendEntry> legend;
   const Chart chart = chart_of(stage, cards, plot, legend);
@@ -227,8 +231,14 @@ void draw_plot(const Stage& stage, Cards& cards, const PlotView& plot) {
                          {stage.palette.plate, stage.palette.plate_edge, 1});
   draw_head(stage, chart, legend);
   draw_value_axis(stage, chart);
-  draw_time_axis(stage, chart);
-  for (std::size_t i = 0; i < plot.values.size(); ++i) draw_curve(stage, chart, i);
+  draw_across_axis(stage, chart);
+  for (std::size_t i = 0; i < plot.values.size(); ++i) {
+    if (plot.is_portrait()) {
+      draw_orbit(stage, chart, i);
+    } else {
+      draw_curve(stage, chart, i);
+    }
+  }
 }
 
 }  // namespace

@@ -46,6 +46,46 @@ void draw_body(const Stage& stage, const BodyView& body, const Tone& tone) {
   for (const ShapePx& shape : shapes) draw_radius_line(stage.canvas, body, shape, paint);
 }
 
+/// The least body of every island, by the island's number: islands are counted anew in every snapshot, but the one
+/// that holds body 3 is still the one that holds body 3.
+std::vector<BodyId> first_bodies(const Snapshot& snapshot) {
+  std::vector<BodyId> first;
+  for (const BodyView& body : snapshot.bodies) {
+    if (body.island >= first.size()) first.resize(body.island + 1, BodyId::world);
+    if (first[body.island] == BodyId::world) first[body.island] = body.id;
+  }
+  return first;
+}
+
+Tone island_tone(const Stage& stage, const BodyView& body, const std::vector<BodyId>& first) {
+  if (body.island == 0) return tone_of(stage.palette, body);
+  const auto number = static_cast<std::size_t>(first[body.island]) - 1;
+  const Tone tone = stage.palette.islands[number % stage.palette.islands.size()];
+  return body.asleep ? asleep(tone, stage.palette) : tone;
+}
+
+Color highlight_color(const Stage& stage, double strength) {
+  Color color = stage.palette.highlight;
+  color.a = static_cast<std::uint8_t>(255 * strength);
+  return color;
+}
+
+/// Behind a body that is then drawn once more, over the others, or they would cut its halo.
+void draw_halo(const Stage& stage, const BodyView& body, double strength) {
+  const Color color = highlight_color(stage, strength);
+  for (ShapePx shape : shapes_of(stage, body)) {
+    shape.radius += strength * halo_px(stage);
+    paint_shape(stage.canvas, shape, {color, color, 0});
+  }
+}
+
+void draw_ring(const Stage& stage, const HighlightView& highlight) {
+  const Color color = highlight_color(stage, highlight.strength);
+  const Color inside = highlight_color(stage, 0.2 * highlight.strength);
+  stage.canvas.disc(stage.camera.to_px(*highlight.at), stage.camera.px(highlight.radius) + ring_px(stage),
+                    {inside, color, ring_px(stage)});
+}
+
 }  // namespace
 
 ShapePx shape_px(const Stage& stage, const BodyView& body, const ShapeView& shape) {
@@ -68,10 +108,12 @@ Aabbd box_px(const Stage& stage, const BodyView& body) {
 }
 
 void draw_bodies(const Stage& stage, bool fixed_ones) {
+  const bool tinted = stage.frame.shows(Layer::islands) && !fixed_ones;
+  const std::vector<BodyId> first = tinted ? first_bodies(stage.frame.snapshot) : std::vector<BodyId>{};
   for (const BodyView& body : stage.frame.snapshot.bodies) {
     if ((body.type == BodyType::fixed) != fixed_ones) continue;
     stage.own(OwnerKind::body, body.id);
-    draw_body(stage, body, tone_of(stage.palette, body));
+    draw_body(stage, body, tinted ? island_tone(stage, body, first) : tone_of(stage.palette, body));
   }
 }
 
@@ -88,6 +130,23 @@ void draw_ghosts(const Stage& stage) {
       then.pose = pose;
       draw_body(stage, then, tone);
     }
+  }
+}
+
+void draw_highlights(const Stage& stage) {
+  const bool tinted = stage.frame.shows(Layer::islands);
+  const std::vector<BodyId> first = first_bodies(stage.frame.snapshot);
+  for (const HighlightView& highlight : stage.frame.highlights) {
+    stage.own(OwnerKind::highlight, highlight.body);
+    if (highlight.at) {
+      draw_ring(stage, highlight);
+      continue;
+    }
+    const BodyView* body = find_body(stage.frame.snapshot, highlight.body);
+    if (body == nullptr || !(tinted || stage.frame.shows(Layer::bodies))) continue;
+    draw_halo(stage, *body, highlight.strength);
+    stage.own(OwnerKind::body, body->id);
+    draw_body(stage, *body, tinted ? island_tone(stage, *body, first) : tone_of(stage.palette, *body));
   }
 }
 

@@ -32,31 +32,6 @@ Aabbd beside(const Aabbd& box, double gap, Vec2d size, Vec2d side) {
   return {middle - 0.5 * size, middle + 0.5 * size};
 }
 
-/// The first place that no card and, where there is a choice, no other body takes.
-std::optional<Aabbd> find_place(const Cards& cards, const std::vector<Aabbd>& bodies, const Aabbd& box, Vec2d size) {
-  constexpr int rings = 4;
-  std::optional<Aabbd> second_best;
-  for (int ring = 0; ring < rings; ++ring) {
-    for (const Vec2d side : sides) {
-      const Aabbd place = beside(box, (0.15 + 0.8 * ring) * size.y, size, side);
-      if (!cards.free(place)) continue;
-      const auto covers = [&place](const Aabbd& body) { return overlaps(body, place); };
-      if (std::none_of(bodies.begin(), bodies.end(), covers)) return place;
-      if (!second_best) second_best = place;
-    }
-  }
-  return second_best;
-}
-
-/// The boxes of all bodies but one; the fixed ones may be written on.
-std::vector<Aabbd> other_bodies(const Stage& stage, const BodyView* body) {
-  std::vector<Aabbd> boxes;
-  for (const BodyView& other : stage.frame.snapshot.bodies) {
-    if (&other != body && other.type != BodyType::fixed) boxes.push_back(box_px(stage, other));
-  }
-  return boxes;
-}
-
 /// From the body to a label that stands apart from it, unless a card hides the body.
 void draw_leader(const Stage& stage, const Cards& cards, const Aabbd& box, const Aabbd& place) {
   const Vec2d from{std::clamp(center(place).x, box.lower.x, box.upper.x),
@@ -66,30 +41,75 @@ void draw_leader(const Stage& stage, const Cards& cards, const Aabbd& box, const
   stage.canvas.line(from, to, stage.sizes.thin, stage.palette.quiet_ink);
 }
 
-void draw_label(const Stage& stage, Cards& cards, const LabelView& label) {
-  const Vec2d anchor = stage.camera.to_px(label.anchor);
-  if (label.text.empty() || !contains(stage.picture(), Aabbd{anchor, anchor})) return;
+Color faded(Color color, double strength) {
+  color.a = static_cast<std::uint8_t>(color.a * strength);
+  return color;
+}
+
+/// Beside what it belongs to, with a line to it where it stands apart.
+void write_beside(const Stage& stage, Cards& cards, const Labelled& target, const std::string& text, double strength) {
+  const Vec2d middle_of_target = center(target.box);
+  const Vec2d anchor = target.body != nullptr ? stage.camera.to_px(target.body->state.center) : middle_of_target;
+  if (text.empty() || !contains(stage.picture(), Aabbd{anchor, anchor})) return;
   const int size_px = stage.sizes.small;
-  const Vec2d size{stage.canvas.text_width(label.text, size_px) + 0.7 * size_px, 1.35 * size_px};
-  const Labelled target = labelled(stage, label);
-  const std::optional<Aabbd> place = find_place(cards, other_bodies(stage, target.body), target.box, size);
+  const Vec2d size{stage.canvas.text_width(text, size_px) + 0.7 * size_px, 1.35 * size_px};
+  const auto place = place_beside(cards, other_bodies(stage, target.body), target.box, size, false);
   if (!place) return;
   draw_leader(stage, cards, target.box, *place);
   cards.take(*place);
   Color plate = stage.palette.background;
   plate.a = 205;
+  plate = faded(plate, strength);
   stage.canvas.rectangle(place->lower, place->upper, 0.3 * size_px, {plate, plate, 0});
   const Vec2d middle = center(*place);
-  stage.canvas.text(label.text, {middle.x, middle.y + 0.5 * cap_height * size_px}, size_px, Align::center,
-                    stage.palette.ink);
+  stage.canvas.text(text, {middle.x, middle.y + 0.5 * cap_height * size_px}, size_px, Align::center,
+                    faded(stage.palette.ink, strength));
+}
+
+Labelled highlighted(const Stage& stage, const HighlightView& highlight) {
+  if (highlight.at) {
+    const Vec2d at = stage.camera.to_px(*highlight.at);
+    return {expanded(Aabbd{at, at}, stage.camera.px(highlight.radius) + ring_px(stage)), nullptr};
+  }
+  const BodyView* body = find_body(stage.frame.snapshot, highlight.body);
+  return {expanded(box_px(stage, *body), halo_px(stage)), body};
 }
 
 }  // namespace
 
+std::optional<Aabbd> place_beside(const Cards& cards, const std::vector<Aabbd>& others, const Aabbd& box, Vec2d size,
+                                  bool apart) {
+  const int rings = apart ? 1 : 4;
+  std::optional<Aabbd> second_best;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (const Vec2d side : sides) {
+      const Aabbd place = beside(box, (0.15 + 0.8 * ring) * size.y, size, side);
+      if (!cards.free(place)) continue;
+      const auto covers = [&place](const Aabbd& body) { return overlaps(body, place); };
+      if (std::none_of(others.begin(), others.end(), covers)) return place;
+      if (!second_best && !apart) second_best = place;
+    }
+  }
+  return second_best;
+}
+
+std::vector<Aabbd> other_bodies(const Stage& stage, const BodyView* body) {
+  std::vector<Aabbd> boxes;
+  for (const BodyView& other : stage.frame.snapshot.bodies) {
+    if (&other != body && other.type != BodyType::fixed) boxes.push_back(box_px(stage, other));
+  }
+  return boxes;
+}
+
 void draw_labels(const Stage& stage, Cards& cards) {
+  for (const HighlightView& highlight : stage.frame.highlights) {
+    stage.own(OwnerKind::highlight, highlight.body);
+    write_beside(stage, cards, highlighted(stage, highlight), highlight.text, highlight.strength);
+  }
+  if (!stage.frame.shows(Layer::labels)) return;
   for (const LabelView& label : stage.frame.labels) {
     stage.own(OwnerKind::label, label.text, label.body);
-    draw_label(stage, cards, label);
+    write_beside(stage, cards, labelled(stage, label), label.text, 1);
   }
 }
 

@@ -27,11 +27,17 @@ enum class OwnerKind : std::uint8_t {
   caption,
   plot,
   label,
-  pane  ///< of a lecture film
+  pane,  ///< of a lecture film
+  force,
+  mass,
+  id,
+  energy,
+  highlight,
+  note  ///< what a layer has to say about itself
 };
-inline constexpr std::array<const char*, 15> owner_kind_names{"nothing", "grid",    "water", "body",    "trail",
-                                                              "bvh",     "aabbs",   "joint", "contact", "vector",
-                                                              "clock",   "caption", "plot",  "label",   "pane"};
+inline constexpr std::array<const char*, 21> owner_kind_names{
+    "nothing", "grid", "water", "body", "trail", "bvh",  "aabbs", "joint",  "contact",   "vector", "clock",
+    "caption", "plot", "label", "pane", "force", "mass", "id",    "energy", "highlight", "note"};
 inline const char* name_of(OwnerKind kind) { return owner_kind_names[static_cast<std::size_t>(kind)]; }
 inline std::optional<OwnerKind> owner_kind_named(std::string_view name) {
   const auto found = std::find(owner_kind_names.begin(), owner_kind_names.end(), name);
@@ -42,9 +48,10 @@ inline std::optional<OwnerKind> owner_kind_named(std::string_view name) {
 /// What a mark belongs to. Equal exactly when it is the same thing, in pictures of different runs, too.
 struct Owner {
   OwnerKind kind = OwnerKind::nothing;
-  std::uint32_t a = 0;    ///< a body's id: of bodies, trails, vectors and labels; the first of a joint or contact
-  std::uint32_t b = 0;    ///< the second body of a joint or contact
-  std::string text = {};  ///< what a caption or label says; the title of a plot or pane
+  std::uint32_t a =
+      0;  ///< a body's id: of bodies, trails, vectors, labels, masses and ids; the first of a joint, contact or force
+  std::uint32_t b = 0;    ///< the second body of a joint, contact or force
+  std::string text = {};  ///< what a caption, label or note says; the title of a plot or pane
   friend bool operator==(const Owner&, const Owner&) = default;
   friend auto operator<=>(const Owner&, const Owner&) = default;
 };

@@ -31,6 +31,10 @@ const Palette light_palette{
     .joint = rgb(0x2B3440),
     .vectors = {rgb(0x00715A), rgb(0xC8500A), rgb(0x6A3FA8), rgb(0x9A6A00), rgb(0xC2127C)},
     .curves = {rgb(0x0F66A8), rgb(0xCE5A0B), rgb(0x17876A), rgb(0xB2387F), rgb(0x8A6A00), rgb(0x3E4A57)},
+    .forces = {rgb(0xC2127C), rgb(0xC8500A), rgb(0x00715A)},
+    .islands = {tone(0x78AEE0, 0x225684), tone(0xF2B266, 0x8A4E0C), tone(0x57B894, 0x0E5A43), tone(0xBBA2E2, 0x4E3486),
+                tone(0xD98AA6, 0x852349), tone(0xBFD06A, 0x58660E), tone(0x8FD3DC, 0x1B6570)},
+    .highlight = rgb(0xE8A200),
 };
 
 const Palette dark_palette{
@@ -52,6 +56,10 @@ const Palette dark_palette{
     .joint = rgb(0xE3EAF0),
     .vectors = {rgb(0x6FE3C1), rgb(0xFF9A55), rgb(0xC9A8FF), rgb(0xF2CF5B), rgb(0xFF6FC0)},
     .curves = {rgb(0x6DB6F2), rgb(0xFF9A55), rgb(0x6FE3C1), rgb(0xF593CC), rgb(0xF2CF5B), rgb(0xD5DDE5)},
+    .forces = {rgb(0xFF6FC0), rgb(0xFFA45E), rgb(0x6FE3C1)},
+    .islands = {tone(0x5FA3DE, 0x2A5F92), tone(0xE3A052, 0x8A5514), tone(0x4CBE97, 0x1C6B53), tone(0xAC93E0, 0x5B4496),
+                tone(0xD27F9E, 0x873556), tone(0xB3C659, 0x647318), tone(0x7CCBD6, 0x2B727D)},
+    .highlight = rgb(0xFFD45C),
 };
 
 const Palette print_palette{
@@ -73,6 +81,10 @@ const Palette print_palette{
     .joint = rgb(0x000000),
     .vectors = {rgb(0x000000), rgb(0x3A3A3A), rgb(0x000000), rgb(0x3A3A3A), rgb(0x000000)},
     .curves = {rgb(0x000000), rgb(0x8C8C8C), rgb(0x505050), rgb(0xB4B4B4), rgb(0x2C2C2C), rgb(0x6E6E6E)},
+    .forces = {rgb(0x000000), rgb(0x8C8C8C), rgb(0x505050)},
+    .islands = {tone(0xF0F0F0, 0x1E1E1E), tone(0xB4B4B4, 0x1E1E1E), tone(0xD6D6D6, 0x1E1E1E), tone(0x969696, 0x1E1E1E),
+                tone(0xE4E4E4, 0x1E1E1E), tone(0xA4A4A4, 0x1E1E1E), tone(0xC6C6C6, 0x1E1E1E)},
+    .highlight = rgb(0x4A4A4A),
     .gray = true,
 };
 
@@ -100,12 +112,13 @@ const Palette& palette_of(Theme theme) {
   return theme == Theme::print ? print_palette : light_palette;
 }
 
+Tone asleep(Tone tone, const Palette& palette) {
+  return {mixed(tone.fill, palette.background, 0.55), mixed(tone.outline, palette.background, 0.35)};
+}
+
 Tone tone_of(const Palette& palette, const BodyView& body) {
   Tone tone = body.has_color ? own_tone(palette, body) : type_tone(palette, body.type);
-  if (body.asleep) {
-    tone.fill = mixed(tone.fill, palette.background, 0.55);
-    tone.outline = mixed(tone.outline, palette.background, 0.35);
-  }
+  if (body.asleep) tone = asleep(tone, palette);
   if (body.sensor) tone.fill.a = 48;
   return tone;
 }

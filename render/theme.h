@@ -37,6 +37,9 @@ struct Palette {
   Color joint;                   ///< pivots, rods, springs
   std::array<Color, 5> vectors;  ///< by VectorOf
   std::array<Color, 6> curves;
+  std::array<Color, 3> forces;  ///< of contacts along the normal, by friction, of joints
+  std::array<Tone, 7> islands;
+  Color highlight;
   bool gray = false;  ///< colours of bodies are turned into grays
 };
 
@@ -45,6 +48,9 @@ const Palette& palette_of(Theme theme);
 /// How a body is filled and outlined: by its type or its own colour, paler when it sleeps, see-through when it is a
 /// sensor.
 Tone tone_of(const Palette& palette, const BodyView& body);
+
+/// Paler, as what sleeps is drawn.
+Tone asleep(Tone tone, const Palette& palette);
 
 /// Sizes in pixels.
 struct Sizes {

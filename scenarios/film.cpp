@@ -1,19 +1,24 @@
 #include "scenarios/film.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {
 
-/// How far a camera move has come, 0 to 1: starts and ends at rest.
+/// How far a change has come, 0 to 1: starts and ends at rest.
 double eased(double part) {
   const double s = std::clamp(part, 0.0, 1.0);
   return s * s * (3 - 2 * s);
 }
 
-double progress(const CameraMove& move, double time) { return move.over > 0 ? eased((time - move.at) / move.over) : 1; }
+double progress(const CameraMove& move, double time) {
+  if (move.over <= 0) return 1;
+  const double part = (time - move.at) / move.over;
+  return move.ease == Ease::smooth ? eased(part) : std::clamp(part, 0.0, 1.0);
+}
 
 /// Each move leads from what the moves before it show now, which may itself be moving, to its own target.
 View camera_view(const Scenario& scenario, const Recorder& recorder, const Snapshot& snapshot) {
@@ -94,6 +99,41 @@ std::vector<LabelView> labels(const Picture& picture, const Snapshot& snapshot) 
   return views;
 }
 
+/// Comes and goes within 0.3 s, or within half the time it has.
+double strength(const Highlight& highlight, double time) {
+  const double ease = std::min(0.3, 0.5 * (highlight.to - highlight.from));
+  return std::min(eased((time - highlight.from) / ease), eased((highlight.to - time) / ease));
+}
+
+/// Where a highlight is, unless it is of a whole body; nothing when what it shows is gone.
+std::optional<HighlightView> view_of(const Highlight& highlight, const Snapshot& snapshot) {
+  HighlightView view{highlight.body.value_or(BodyId::world), highlight.at, highlight.radius, 0, highlight.text};
+  if (highlight.body) {
+    const BodyView* body = find_body(snapshot, *highlight.body);
+    if (body == nullptr) return std::nullopt;
+    if (highlight.point) view.at = to_world(body->pose, *highlight.point);
+  } else if (highlight.joint) {
+    const auto joint = std::find_if(snapshot.joints.begin(), snapshot.joints.end(),
+                                    [&](const JointView& j) { return j.id == *highlight.joint && !j.broken; });
+    if (joint == snapshot.joints.end()) return std::nullopt;
+    view.at = 0.5 * (joint->anchor_a + joint->anchor_b);
+  }
+  return view;
+}
+
+std::vector<HighlightView> highlights(const Picture& picture, const Snapshot& snapshot) {
+  std::vector<HighlightView> views;
+  for (const Highlight& highlight : picture.highlights) {
+    if (snapshot.time < highlight.from || snapshot.time > highlight.to) continue;
+    auto view = view_of(highlight, snapshot);
+    if (!view) continue;
+    view->strength = strength(highlight, snapshot.time);
+    if (view->at && view->radius == 0) view->radius = 0.035 * picture.view.height;
+    views.push_back(*view);
+  }
+  return views;
+}
+
 std::vector<CaptionView> captions(const Scenario& scenario, std::int64_t tick) {
   const int rate = scenario.scene.rate;
   std::vector<CaptionView> views;
@@ -106,15 +146,33 @@ std::vector<CaptionView> captions(const Scenario& scenario, std::int64_t tick) {
 
 }  // namespace
 
+double usual_force_scale(const Scenario& scenario) {
+  constexpr double earth = 9.81;
+  double mass = 0;
+  int count = 0;
+  for (const BodyDef& body : scenario.scene.bodies) {
+    if (body.type != BodyType::dynamic) continue;
+    mass += initial_state(body).mass;
+    ++count;
+  }
+  const double gravity = length(scenario.scene.gravity);
+  const double weight = (count > 0 && mass > 0 ? mass / count : 1) * (gravity > 0 ? gravity : earth);
+  const double share = std::clamp(0.3 / std::sqrt(std::max(1, count)), 0.02, 0.15);
+  return share * scenario.picture.view.height / weight;
+}
+
 Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot snapshot, std::int64_t index) {
   Frame frame;
   frame.index = index;
   frame.view = camera_view(scenario, recorder, snapshot);
-  frame.layers = scenario.picture.layers;
+  frame.layers = layers_at(scenario.picture, snapshot.tick, scenario.scene.rate);
+  frame.force_scale = scenario.picture.force_scale;
+  frame.energy = recorder.energy();
   frame.trails = recorder.trails(snapshot);
   frame.ghosts = recorder.ghosts();
   frame.arrows = arrows(scenario.picture, snapshot);
   frame.labels = labels(scenario.picture, snapshot);
+  frame.highlights = highlights(scenario.picture, snapshot);
   frame.captions = captions(scenario, snapshot.tick);
   frame.plots = recorder.plots();
   if (!scenario.stories.empty()) frame.demonstration = view_of(scenario.stories, snapshot.time);

@@ -10,4 +10,9 @@ namespace proofreel {
 /// The frame of the moment `snapshot` was taken, which is the last one recorded.
 Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot snapshot, std::int64_t index);
 
+/// How long the layer forces draws a newton, in metres: what an average body weighs becomes a share of the picture's
+/// height that leaves room for what many of them weigh together. From what the scene starts with, so that it never
+/// changes.
+double usual_force_scale(const Scenario& scenario);
+
 }  // namespace proofreel

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,9 +41,28 @@ struct LabelView {
   BodyId body{};
 };
 
+/// What is emphasised: a circle at `at`, or where that is empty a whole body.
+struct HighlightView {
+  BodyId body{};            ///< it belongs to; the world where it belongs to none
+  std::optional<Vec2d> at;  ///< world
+  double radius = 0;        ///< m
+  double strength = 1;      ///< 0 to 1: it comes and goes softly
+  std::string text;
+};
+
 struct CaptionView {
   std::string text;
   Corner at = Corner::bottom;
+};
+
+/// The least and the greatest of some numbers; of none, the low is above the high.
+struct Reach {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
 };
 
 /// Samples of one plot up to now: curve i at time times[k] is values[i][k].
@@ -53,6 +73,21 @@ struct PlotView {
   Corner at = Corner::top_right;
   std::vector<double> times;  ///< s of scene time
   std::vector<std::vector<double>> values;
+  std::string unit = {};  ///< of the values
+  std::string x_name =
+      {};  ///< of what a phase portrait has in the place of time, and then xs[k] goes with values[i][k]
+  std::string x_unit = {};
+  std::vector<double> xs = {};
+  Reach x_reach = {};  ///< of all samples of a phase portrait, the forgotten ones too
+  Reach y_reach = {};
+  bool is_portrait() const { return !x_name.empty(); }
+};
+
+/// What the bars of the layer energy are measured by, J. Of all samples so far.
+struct EnergyExtent {
+  double initial_total = 0;
+  double lowest = 0;   ///< of kinetic, potential and total
+  double highest = 0;  ///< of kinetic, potential and total
 };
 
 /// Where the film has captions, now or at another time: there a split screen leaves room for them.
@@ -70,10 +105,13 @@ struct Frame {
   View view;                  ///< the camera, resolved
   std::vector<Layer> layers;  ///< what of it is drawn
   bool shows(Layer layer) const { return std::find(layers.begin(), layers.end(), layer) != layers.end(); }
+  double force_scale = 0;  ///< m of the picture per N, the same in all frames of a film; 0: forces are not drawn
+  EnergyExtent energy;
   std::vector<TrailView> trails;
   std::vector<GhostView> ghosts;
   std::vector<ArrowView> arrows;
   std::vector<LabelView> labels;
+  std::vector<HighlightView> highlights;
   std::vector<CaptionView> captions;
   std::vector<PlotView> plots;
   std::optional<DemonstrationView> demonstration;  ///< takes the place of the bodies

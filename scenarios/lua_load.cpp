@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scenarios/effects.h"
+#include "scenarios/film.h"
 #include "scenarios/formatted.h"
 #include "scenarios/lua_bodies.h"
 #include "scenarios/lua_script.h"
@@ -55,6 +56,7 @@ void LuaScript::open(lua_State* state) {
   open_time(state);
   open_picture(state);
   open_panes(state);
+  open_film(state);
   open_demonstrate(state);
   open_measures(state);
   sandbox_.set_known_names(global_names(state));
@@ -80,6 +82,7 @@ void LuaScript::finish_loading() {
   for (const int function : model_.fields) scenario.scene.fields.push_back(force_field(function));
   model_.check_method();
   if (scenario.title.empty()) scenario.title = scenario.id;
+  if (scenario.picture.force_scale == 0) scenario.picture.force_scale = usual_force_scale(scenario);
   if (!scenario.scene.effects) return;
   for (std::string& warning : omission_warnings(called_for_by(scenario.scene), *scenario.scene.effects)) {
     scenario.warnings.push_back(std::move(warning));
@@ -145,8 +148,10 @@ void LuaScript::check_times() const {
   for (const CameraMove& move : scenario.picture.camera) check("camera: at = ", move.at);
   for (const Caption& caption : scenario.picture.captions)
     check("caption " + quote(caption.text) + ": from = ", caption.from);
+  for (const Highlight& highlight : scenario.picture.highlights) check("highlight: from = ", highlight.from);
   for (const SlowMotion& slow : scenario.picture.slow) check("slow: from = ", slow.from);
   for (const Freeze& freeze : scenario.picture.freezes) check("freeze: at = ", freeze.at);
+  for (const LayerChange& change : scenario.picture.layer_changes) check("layers: at = ", change.at);
   for (const Section& section : scenario.picture.sections)
     check("section " + quote(section.name) + ": at = ", section.at);
 }

@@ -3,6 +3,7 @@
 
 #include "scenarios/formula.h"
 #include "scenarios/lua_bodies.h"
+#include "scenarios/lua_picture.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/lua_words.h"
 
@@ -10,22 +11,15 @@ namespace proofreel {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double longest_memory = 1e6;   // s of a trail or plot
-constexpr double longest_freeze = 3600;  // s
+constexpr double longest_memory = 1e6;  // s of a trail or plot
 
 constexpr Name corner_names[] = {{"top_left"}, {"top"}, {"top_right"}, {"bottom_left"}, {"bottom"}, {"bottom_right"}};
+constexpr Name ease_names[] = {{"smooth"}, {"linear"}};
 constexpr Name vector_names[] = {{"velocity"}, {"force"}, {"momentum"}, {"acceleration"}, {"contact_impulse"}};
 
 Corner read_corner(const Fields& fields, Corner usual) {
   const auto index = fields.choice("at", corner_names);
   return index ? static_cast<Corner>(*index) : usual;
-}
-
-Model& drawing_model(lua_State* state, const char* word) {
-  Model& model = model_of(state);
-  model.must_act(word);
-  charge_for_making(state);
-  return model;
 }
 
 BodyId read_body(const Fields& fields, const char* key) {
@@ -42,7 +36,7 @@ double read_seconds(const Fields& fields, double usual) {
 }
 
 int camera(lua_State* state) {
-  static constexpr Name keys[] = {{"at"}, {"over"}, {"center"}, {"height"}, {"follow"}};
+  static constexpr Name keys[] = {{"at"}, {"over"}, {"center"}, {"height"}, {"follow"}, {"ease"}};
   const Fields fields(state, 1, "camera", keys);
   Model& model = drawing_model(state, "camera");
   CameraMove move;
@@ -51,6 +45,7 @@ int camera(lua_State* state) {
   move.center = fields.vector("center");
   move.height = fields.number("height", Range::positive);
   if (fields.has("follow")) move.follow = read_body(fields, "follow");
+  if (const auto ease = fields.choice("ease", ease_names)) move.ease = static_cast<Ease>(*ease);
   if (move.center && move.follow) fields.refuse("follow", "and center cannot both be set");
   if (!move.center && !move.follow && !move.height) throw Problem("camera needs follow=, center= or height=");
   model.scenario.picture.camera.push_back(move);
@@ -93,68 +88,59 @@ int vector(lua_State* state) {
 }
 
 int trail(lua_State* state) {
-  static constexpr Name keys[] = {{"body"}, {"seconds"}};
+  static constexpr Name keys[] = {{"body"}, {"seconds"}, {"point"}};
   const Fields fields(state, 1, "trail", keys);
   Model& model = drawing_model(state, "trail");
   const BodyId body = read_body(fields, "body");
-  model.scenario.picture.trails.push_back({body, read_seconds(fields, 1)});
+  model.scenario.picture.trails.push_back({body, read_seconds(fields, 1), fields.vector("point", Range::place)});
   return 0;
 }
 
-/// The names in the table on top of the stack, sorted; all its values must be functions.
-std::vector<std::string> curve_names(const Fields& fields) {
+/// The names in the table `key`, sorted, their functions kept in the same order; all its values must be functions.
+std::vector<std::string> read_curves(const Fields& fields, const char* key, std::vector<int>& functions) {
   lua_State* state = fields.state();
-  if (lua_type(state, -1) != LUA_TTABLE) fields.refuse("y", "must be a table {name = function() ... end, ...}");
+  const auto refuse = [&] { fields.refuse(key, "must be a table {name = function() ... end, ...}"); };
+  if (!fields.push(key)) fields.missing(key);
+  if (lua_type(state, -1) != LUA_TTABLE) refuse();
   std::vector<std::string> names;
   for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
-    if (lua_type(state, -2) != LUA_TSTRING || lua_type(state, -1) != LUA_TFUNCTION) {
-      fields.refuse("y", "must be a table {name = function() ... end, ...}");
-    }
+    if (lua_type(state, -2) != LUA_TSTRING || lua_type(state, -1) != LUA_TFUNCTION) refuse();
     charge_for_making(state);
     names.push_back(text_to_show(state, -2, "plot: the name of a curve"));
   }
-  if (names.empty()) fields.refuse("y", "must hold at least one curve");
   std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    lua_getfield(state, -1, name.c_str());
+    functions.push_back(keep_function(state, -1, std::string("plot: ") + key + "." + name));
+    lua_pop(state, 1);
+  }
+  lua_pop(state, 1);
   return names;
 }
 
 int plot(lua_State* state) {
-  static constexpr Name keys[] = {{"title"}, {"y"}, {"seconds"}, {"at"}};
+  static constexpr Name keys[] = {{"title"}, {"y"}, {"unit"}, {"x"}, {"x_unit"}, {"seconds"}, {"at"}};
   const Fields fields(state, 1, "plot", keys);
   Model& model = drawing_model(state, "plot");
   PlotMark plot;
+  std::vector<int> functions;
   plot.title = fields.text("title").value_or("");
   plot.seconds = read_seconds(fields, 10);
   plot.at = read_corner(fields, Corner::top_right);
-  if (!fields.push("y")) fields.missing("y");
-  plot.curves = curve_names(fields);
-  std::vector<int> functions;
-  for (const std::string& name : plot.curves) {
-    lua_getfield(state, -1, name.c_str());
-    functions.push_back(keep_function(state, -1, "plot: y." + name));
-    lua_pop(state, 1);
+  plot.unit = fields.text("unit").value_or("");
+  plot.x_unit = fields.text("x_unit").value_or("");
+  plot.curves = read_curves(fields, "y", functions);
+  if (plot.curves.empty()) fields.refuse("y", "must hold at least one curve");
+  if (fields.has("x")) {
+    const std::vector<std::string> names = read_curves(fields, "x", functions);
+    if (names.size() != 1 || names[0].empty())
+      fields.refuse("x", "must hold one quantity: x = {angle = function() ... end}");
+    plot.x_name = names[0];
+  } else if (fields.has("x_unit")) {
+    fields.refuse("x_unit", "is the unit of x, which is not given; against time it is s");
   }
   model.plots.push_back(std::move(functions));
   model.scenario.picture.plots.push_back(std::move(plot));
-  return 0;
-}
-
-int slow(lua_State* state) {
-  static constexpr Name keys[] = {{"from"}, {"to"}, {"factor"}};
-  const Fields fields(state, 1, "slow", keys);
-  Model& model = drawing_model(state, "slow");
-  model.must_load("slow");
-  SlowMotion motion;
-  motion.from = fields.required("from", fields.number("from", Range::not_negative));
-  motion.to = fields.required("to", fields.number("to", Range::not_negative));
-  motion.factor = fields.required("factor", fields.number("factor", Range::positive));
-  if (motion.to <= motion.from) fields.refuse("to", "must come after from");
-  if (motion.factor > 1)
-    fields.refuse("factor", "must not be larger than 1: 0.25 makes everything last four times as long");
-  for (const SlowMotion& other : model.scenario.picture.slow) {
-    if (motion.from < other.to && other.from < motion.to) throw Problem("slow: two stretches of slow motion overlap");
-  }
-  model.scenario.picture.slow.push_back(motion);
   return 0;
 }
 
@@ -163,39 +149,55 @@ int ghost(lua_State* state) {
   const Fields fields(state, 1, "ghost", keys);
   Model& model = drawing_model(state, "ghost");
   const BodyId body = read_body(fields, "body");
-  model.scenario.picture.ghosts.push_back({body, fields.required("every", fields.number("every", Range::positive))});
+  const double every = fields.required("every", fields.number("every", Range::positive));
+  const int rate = model.scenario.scene.rate;
+  if (model.described && every * rate < 1 - 1e-9)
+    fields.refuse("every", "must not be shorter than a tick, which takes 1/" + std::to_string(rate) + " s");
+  model.scenario.picture.ghosts.push_back({body, every});
   return 0;
 }
 
-int freeze(lua_State* state) {
-  static constexpr Name keys[] = {{"at"}, {"seconds"}};
-  const Fields fields(state, 1, "freeze", keys);
-  Model& model = drawing_model(state, "freeze");
-  model.must_load("freeze");
-  Freeze freeze;
-  freeze.at = fields.required("at", fields.number("at", Range::not_negative));
-  freeze.seconds = fields.required("seconds", fields.number("seconds", Range::positive));
-  if (freeze.seconds > longest_freeze) fields.refuse("seconds", "must not be larger than 3600");
-  model.scenario.picture.freezes.push_back(freeze);
-  return 0;
+/// One thing: a body or one of its points, a joint, or a point of the world.
+void read_target(const Fields& fields, Highlight& highlight) {
+  const int targets = (fields.has("body") ? 1 : 0) + (fields.has("joint") ? 1 : 0) + (fields.has("at") ? 1 : 0);
+  if (targets != 1) throw Problem("highlight needs one of body=, joint= and at=");
+  if (fields.has("body")) highlight.body = read_body(fields, "body");
+  if (fields.push("joint")) {
+    highlight.joint = to_joint(fields.state(), -1);
+    if (!highlight.joint || !model_of(fields.state()).exists(*highlight.joint))
+      fields.refuse("joint", "must be a joint that exists, got " + described(fields.state(), -1));
+    lua_pop(fields.state(), 1);
+  }
+  highlight.at = fields.vector("at", Range::place);
+  highlight.point = fields.vector("point", Range::place);
+  highlight.radius = fields.number("radius", Range::positive).value_or(0);
+  if (highlight.point && !highlight.body) fields.refuse("point", "is a point of a body: give body=, or a point at=");
+  if (highlight.radius > 0 && highlight.body && !highlight.point)
+    fields.refuse("radius", "is that of a circle round a point: give point=, or leave it out");
 }
 
-int section(lua_State* state) {
-  static constexpr Name keys[] = {{"at"}, {"name"}};
-  const Fields fields(state, 1, "section", keys);
-  Model& model = drawing_model(state, "section");
-  model.must_load("section");
-  const Section section{fields.required("at", fields.number("at", Range::not_negative)),
-                        fields.required("name", fields.text("name"))};
-  std::vector<Section>& sections = model.scenario.picture.sections;
-  if (section.name.empty()) fields.refuse("name", "must not be empty");
-  if (!sections.empty() && section.at <= sections.back().at)
-    fields.refuse("at", "must come after that of the section before, " + quote(sections.back().name));
-  sections.push_back(section);
+int highlight(lua_State* state) {
+  static constexpr Name keys[] = {{"body"}, {"joint"}, {"at"}, {"point"}, {"radius"}, {"from"}, {"to"}, {"text"}};
+  const Fields fields(state, 1, "highlight", keys);
+  Model& model = drawing_model(state, "highlight");
+  Highlight highlight;
+  read_target(fields, highlight);
+  highlight.from = fields.number("from", Range::not_negative).value_or(model.time());
+  highlight.to = fields.number("to", Range::not_negative).value_or(forever);
+  if (highlight.to <= highlight.from) fields.refuse("to", "must come after from");
+  highlight.text = fields.text("text").value_or("");
+  model.scenario.picture.highlights.push_back(highlight);
   return 0;
 }
 
 }  // namespace
+
+Model& drawing_model(lua_State* state, const char* word) {
+  Model& model = model_of(state);
+  model.must_act(word);
+  charge_for_making(state);
+  return model;
+}
 
 void open_picture(lua_State* state) {
   lua_pushglobaltable(state);
@@ -205,10 +207,8 @@ void open_picture(lua_State* state) {
   set_word<vector>(state, "vector");
   set_word<trail>(state, "trail");
   set_word<plot>(state, "plot");
-  set_word<slow>(state, "slow");
   set_word<ghost>(state, "ghost");
-  set_word<freeze>(state, "freeze");
-  set_word<section>(state, "section");
+  set_word<highlight>(state, "highlight");
   lua_pop(state, 1);
 }
 

@@ -5,6 +5,7 @@
 
 #include "scenarios/effects.h"
 #include "scenarios/lua_bodies.h"
+#include "scenarios/lua_picture.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/lua_words.h"
 #include "scenarios/timeline.h"
@@ -15,9 +16,9 @@ namespace {
 constexpr int largest_side = 16384;            // px
 constexpr std::int64_t most_pixels = 1 << 26;  // 256 MB of RGBA
 
-constexpr Name scenario_keys[] = {{"title"},   {"description"}, {"duration"}, {"rate"},  {"fps"},
-                                  {"seed"},    {"gravity"},     {"view"},     {"size"},  {"theme"},
-                                  {"effects"}, {"layers"},      {"method"},   {"golden"}};
+constexpr Name scenario_keys[] = {{"title"},   {"description"}, {"duration"}, {"rate"},   {"fps"},
+                                  {"seed"},    {"gravity"},     {"view"},     {"size"},   {"theme"},
+                                  {"effects"}, {"layers"},      {"method"},   {"golden"}, {"force_scale"}};
 constexpr Name view_keys[] = {{"center"}, {"height"}};
 constexpr Name method_keys[] = {{"integrator"}, {"contact_solver"}, {"joint_solver"}, {"substeps"},
                                 {"iterations"}, {"contact_hz"},     {"precision"}};
@@ -118,56 +119,19 @@ std::optional<Size> read_size(const Fields& fields) {
   return checked_size(fields, size.x, size.y);
 }
 
-/// The strings of a list.
-std::vector<std::string> read_names(const Fields& fields, const char* key) {
-  lua_State* state = fields.state();
-  fields.push(key);
-  if (lua_type(state, -1) != LUA_TTABLE) fields.refuse(key, "must be a list of names, got " + described(state, -1));
-  std::vector<std::string> names;
-  const lua_Unsigned count = lua_rawlen(state, -1);
-  for (lua_Unsigned i = 1; i <= count; ++i) {
-    lua_rawgeti(state, -1, static_cast<lua_Integer>(i));
-    if (lua_type(state, -1) != LUA_TSTRING) {
-      fields.refuse(key, "must be a list of names, got " + described(state, -1) + " in it");
-    }
-    charge_for_making(state);
-    names.emplace_back(lua_tostring(state, -1));
-    lua_pop(state, 1);
-  }
-  lua_pop(state, 1);
-  return names;
-}
-
-std::vector<std::string> all_layer_names() {
-  std::vector<std::string> names;
-  for (int i = 0; i < layer_count; ++i) names.emplace_back(name_of(static_cast<Layer>(i)));
-  return names;
-}
-
-std::vector<Layer> read_layers(const Fields& fields) {
-  // Whoever marks a body with a trail, a vector or a label wants to see it, without naming it here again.
-  std::vector<Layer> layers{Layer::trails, Layer::vectors, Layer::labels};
-  for (const std::string& name : read_names(fields, "layers")) {
-    const auto layer = layer_named(name);
-    if (!layer) {
-      fields.refuse("layers", "cannot hold " + quote(name) + "; there are " + quoted_list(all_layer_names()));
-    }
-    if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
-  }
-  return layers;
-}
-
 /// "auto" or a list.
 std::optional<EffectSet> read_effects(const Fields& fields) {
   if (!fields.push("effects")) return std::nullopt;
   const bool is_text = lua_type(fields.state(), -1) == LUA_TSTRING;
+  const auto refuse = [&](const std::string& what) { fields.refuse("effects", what); };
+  const auto listed = is_text ? std::vector<std::string>{} : read_names(fields.state(), refuse);
   lua_pop(fields.state(), 1);
   if (is_text) {
     if (*fields.text("effects") != "auto") fields.refuse("effects", "must be \"auto\" or a list of names");
     return std::nullopt;
   }
   EffectSet set;
-  for (const std::string& name : read_names(fields, "effects")) {
+  for (const std::string& name : listed) {
     const auto* known =
         std::find_if(std::begin(effect_names), std::end(effect_names), [&](const Name& n) { return n.text == name; });
     if (known == std::end(effect_names)) {
@@ -259,7 +223,11 @@ void read_scenario(const Fields& fields, Model& model) {
   if (length(scenario.scene.gravity) > strongest_gravity) fields.refuse("gravity", "must stay below 1e6 m/s^2");
   put(picture.size, read_size(fields));
   if (const auto index = fields.choice("theme", theme_names)) picture.theme = static_cast<Theme>(*index);
-  if (fields.has("layers")) picture.layers = read_layers(fields);
+  if (fields.push("layers")) {
+    picture.layers = read_layers(fields.state(), [&](const std::string& what) { fields.refuse("layers", what); });
+    lua_pop(fields.state(), 1);
+  }
+  put(picture.force_scale, fields.number("force_scale", Range::positive));
   scenario.scene.effects = read_effects(fields);
   read_part(fields, "view", view_keys, model, [&](const Fields& view) {
     put(picture.view.center, view.vector("center"));

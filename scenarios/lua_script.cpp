@@ -327,9 +327,11 @@ std::optional<std::string> LuaScript::changed_variable(ScriptFunction what, int 
 double LuaScript::plot_value(int plot, int curve) {
   const auto p = static_cast<std::size_t>(plot);
   const auto c = static_cast<std::size_t>(curve);
-  return number_from(
-      model_.plots[p][c], [&] { return "plot curve " + quote(model_.scenario.picture.plots[p].curves[c]); },
-      std::nullopt);
+  const auto name = [&] {
+    const PlotMark& mark = model_.scenario.picture.plots[p];
+    return "plot curve " + quote(c < mark.curves.size() ? mark.curves[c] : mark.x_name);
+  };
+  return number_from(model_.plots[p][c], name, std::nullopt);
 }
 
 }  // namespace proofreel

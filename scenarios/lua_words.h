@@ -22,6 +22,8 @@ void open_time(lua_State* state);
 void open_picture(lua_State* state);
 /// Split screens: pane.
 void open_panes(lua_State* state);
+/// The course of the film: slow, freeze, section, layers.
+void open_film(lua_State* state);
 /// Algorithms as lecture films: demonstrate.
 void open_demonstrate(lua_State* state);
 void open_measures(lua_State* state);

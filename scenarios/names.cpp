@@ -5,8 +5,9 @@
 namespace proofreel {
 namespace {
 
-constexpr std::array<const char*, layer_count> layer_names{"bodies", "parts",   "bvh",    "contacts", "joints", "aabbs",
-                                                           "trails", "vectors", "labels", "grid",     "clock"};
+constexpr std::array<const char*, layer_count> layer_names{
+    "bodies", "parts", "bvh",   "contacts", "joints",  "aabbs", "trails", "vectors",
+    "labels", "grid",  "clock", "forces",   "islands", "ids",   "mass",   "energy"};
 
 }  // namespace
 

@@ -24,6 +24,7 @@ const std::vector<std::string>& known_paths() {
                                               "theme",
                                               "effects",
                                               "layers",
+                                              "force_scale",
                                               "method.integrator",
                                               "method.contact_solver",
                                               "method.joint_solver",

@@ -10,6 +10,11 @@ namespace {
 constexpr std::int64_t most_trail_points = 2048;  // finer would not show
 constexpr std::size_t most_ghosts = 1000;         // of one body; more would be a smear
 
+/// What leaves the trail: the centre of mass, or a point of the body.
+Vec2d traced(const TrailMark& mark, const BodyState& state) {
+  return mark.point ? to_world(Posed(state.position, Rotd(state.angle)), *mark.point) : state.center;
+}
+
 }  // namespace
 
 void Recorder::record(const Simulation& simulation) {
@@ -32,7 +37,7 @@ void Recorder::record_trail(std::size_t index, const Simulation& simulation) {
   const std::int64_t window = tick_at(mark.seconds, scenario_.scene.rate);
   trail.stride = std::max<std::int64_t>(1, window / most_trail_points);
   if (tick % trail.stride == 0 && simulation.exists(mark.body)) {
-    trail.points.emplace_back(tick, simulation.body(mark.body).center);
+    trail.points.emplace_back(tick, traced(mark, simulation.body(mark.body)));
   }
   while (!trail.points.empty() && trail.points.front().first < tick - window) trail.points.pop_front();
 }
@@ -52,12 +57,23 @@ void Recorder::sample_plots(std::int64_t tick) {
   plots_.resize(marks.size());
   const double time = static_cast<double>(tick) / scenario_.scene.rate;
   for (std::size_t p = 0; p < marks.size(); ++p) {
+    const std::size_t curves = marks[p].curves.size();
     PlotSample sample{time, {}};
-    for (std::size_t c = 0; c < marks[p].curves.size(); ++c) {
+    for (std::size_t c = 0; c < curves + (marks[p].x_name.empty() ? 0 : 1); ++c) {
       sample.values.push_back(scenario_.script->plot_value(static_cast<int>(p), static_cast<int>(c)));
+      (c < curves ? plots_[p].y : plots_[p].x).add(sample.values.back());
     }
-    plots_[p].push_back(std::move(sample));
-    while (plots_[p].front().time < time - marks[p].seconds) plots_[p].pop_front();
+    std::deque<PlotSample>& samples = plots_[p].samples;
+    samples.push_back(std::move(sample));
+    while (samples.front().time < time - marks[p].seconds) samples.pop_front();
+  }
+}
+
+void Recorder::note_energy(const Energy& energy) {
+  if (!energy_) energy_ = {energy.total(), energy.total(), energy.total()};
+  for (const double joules : {energy.kinetic, energy.potential, energy.total()}) {
+    energy_->lowest = std::min(energy_->lowest, joules);
+    energy_->highest = std::max(energy_->highest, joules);
   }
 }
 
@@ -67,8 +83,10 @@ std::vector<TrailView> Recorder::trails(const Snapshot& snapshot) const {
     TrailView view{scenario_.picture.trails[i].body, {}};
     for (const auto& [tick, point] : trails_[i].points) view.points.push_back(point);
     const BodyView* body = find_body(snapshot, view.body);
-    const bool ends_elsewhere = body != nullptr && (view.points.empty() || !(view.points.back() == body->state.center));
-    if (ends_elsewhere) view.points.push_back(body->state.center);
+    if (body != nullptr) {
+      const Vec2d now = traced(scenario_.picture.trails[i], body->state);
+      if (view.points.empty() || !(view.points.back() == now)) view.points.push_back(now);
+    }
     views.push_back(std::move(view));
   }
   return views;
@@ -78,11 +96,13 @@ std::vector<PlotView> Recorder::plots() const {
   std::vector<PlotView> views;
   for (std::size_t p = 0; p < plots_.size(); ++p) {
     const PlotMark& mark = scenario_.picture.plots[p];
-    PlotView view{mark.title, mark.curves, mark.seconds, mark.at, {}, {}};
+    PlotView view{mark.title, mark.curves, mark.seconds, mark.at, {},          {},
+                  mark.unit,  mark.x_name, mark.x_unit,  {},      plots_[p].x, plots_[p].y};
     view.values.resize(mark.curves.size());
-    for (const PlotSample& sample : plots_[p]) {
+    for (const PlotSample& sample : plots_[p].samples) {
       view.times.push_back(sample.time);
-      for (std::size_t c = 0; c < sample.values.size(); ++c) view.values[c].push_back(sample.values[c]);
+      for (std::size_t c = 0; c < mark.curves.size(); ++c) view.values[c].push_back(sample.values[c]);
+      if (view.is_portrait()) view.xs.push_back(sample.values.back());
     }
     views.push_back(std::move(view));
   }

@@ -24,6 +24,10 @@ class Recorder {
   /// At every sampled tick: asks the script for the values of all curves.
   void sample_plots(std::int64_t tick);
 
+  /// At every sampled tick; the first one is what the run started with.
+  void note_energy(const Energy& energy);
+  const EnergyExtent& energy() const { return energy_.value(); }
+
   /// Each ends where its body is now, `snapshot` being of the last recorded tick.
   std::vector<TrailView> trails(const Snapshot& snapshot) const;
   std::vector<PlotView> plots() const;
@@ -39,7 +43,12 @@ class Recorder {
   };
   struct PlotSample {
     double time = 0;
-    std::vector<double> values;
+    std::vector<double> values;  ///< of the curves; of a phase portrait, then its x
+  };
+  struct Plot {
+    std::deque<PlotSample> samples;
+    Reach x;  ///< of all samples ever taken
+    Reach y;
   };
 
   void record_trail(std::size_t index, const Simulation& simulation);
@@ -47,9 +56,10 @@ class Recorder {
 
   const Scenario& scenario_;
   std::vector<Trail> trails_;
-  std::vector<std::deque<PlotSample>> plots_;
+  std::vector<Plot> plots_;
   std::vector<std::optional<Vec2d>> followed_;
   std::vector<std::vector<Posed>> ghosts_;
+  std::optional<EnergyExtent> energy_;
 };
 
 }  // namespace proofreel

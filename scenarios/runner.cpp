@@ -34,10 +34,13 @@ void add_sample(MeasureResult& result, double value, bool first) {
   result.max = first ? value : std::max(result.max, value);
 }
 
-bool draws_forces(const Picture& picture) {
-  return std::any_of(picture.vectors.begin(), picture.vectors.end(), [](const VectorMark& mark) {
+/// What simulations find out only when asked, since it takes a look at every body.
+void ask_for_what_is_drawn(const Picture& picture, Simulation& simulation) {
+  const bool forces = std::any_of(picture.vectors.begin(), picture.vectors.end(), [](const VectorMark& mark) {
     return mark.of == VectorOf::force || mark.of == VectorOf::acceleration;
   });
+  if (forces) simulation.keep_forces();
+  if (ever_shows(picture, Layer::islands)) simulation.keep_islands();
 }
 
 std::string sentence(const Scenario& scenario, const Failure& failure) {
@@ -97,7 +100,7 @@ struct Runner::Impl {
     for (const Expectation& expectation : scenario.expectations)
       report.expectations.push_back({in_pane(scenario, expectation.text), true, 0, {}});
     looked_at.resize(scenario.expectations.size());
-    if (draws_forces(scenario.picture)) simulation->keep_forces();
+    ask_for_what_is_drawn(scenario.picture, *simulation);
     report.scenario = scenario.id;
     for (const auto& pane : scenario.other_panes) others.push_back(std::make_unique<Runner>(*pane));
   }
@@ -106,6 +109,7 @@ struct Runner::Impl {
     if (!saved_ticks.empty()) saver.emplace(scenario, saved_ticks);
     report.initial_energy = simulation->energy();
     energy_watch.start_from(report.initial_energy.total());
+    recorder.note_energy(report.initial_energy);
     const std::uint64_t shown = scenario.stories.empty() ? 0 : hash_of(scenario.stories);
     report.trajectory_hash = chained_hash(shown, simulation->state_hash());
     look();
@@ -127,6 +131,7 @@ struct Runner::Impl {
       report.measures[i].unknown_for = run.changed_variables[i];
     report.initial_energy = run.initial_energy;
     energy_watch.start_from(report.initial_energy.total());
+    recorder.note_energy(report.initial_energy);
     report.trajectory_hash = run.trajectory_hash;
     report.resumed_at = run.tick;
     replay.emplace(run, file);
@@ -240,6 +245,7 @@ struct Runner::Impl {
     report.max_energy_drift = std::max(report.max_energy_drift, std::abs(drift));
     report.final_energy = now;
     energy_watch.look(*simulation, now);
+    recorder.note_energy(now);
   }
 
   void look_at_measure(std::size_t i, std::int64_t tick, bool sampled) {
@@ -370,7 +376,7 @@ void Runner::move_to(std::unique_ptr<Simulation> fresh) {
   if (state.empty()) throw ScenarioError(impl_->scenario.path + ": this kind of simulation cannot be saved");
   if (const auto problem = fresh->restore(state))
     throw ScenarioError(impl_->scenario.path + ": the state of the simulation " + *problem);
-  if (draws_forces(impl_->scenario.picture)) fresh->keep_forces();
+  ask_for_what_is_drawn(impl_->scenario.picture, *fresh);
   impl_->binding.reset();
   impl_->simulation = std::move(fresh);
   impl_->binding.emplace(*impl_->scenario.script, *impl_->simulation);

@@ -73,7 +73,8 @@ class Runner {
   /// Keeps what it takes to go on from these ticks later, in another process: see `saved`.
   Runner(Scenario& scenario, const std::vector<std::int64_t>& saved_ticks);
   /// Goes on with a saved run, without the script's callbacks. Measures speak of what is left; hashes, energies and
-  /// expectations of the whole. Throws ScenarioError, naming `file`, when it cannot be resumed. Plots stay empty.
+  /// expectations of the whole. Throws ScenarioError, naming `file`, when it cannot be resumed. Plots stay empty,
+  /// trails and ghosts begin there.
   Runner(Scenario& scenario, const SavedRun& run, const std::string& file);
   ~Runner();
   Runner(const Runner&) = delete;

@@ -20,8 +20,25 @@
 namespace proofreel {
 
 enum class Theme : std::uint8_t { light, dark, print };
-enum class Layer : std::uint8_t { bodies, parts, bvh, contacts, joints, aabbs, trails, vectors, labels, grid, clock };
-inline constexpr int layer_count = 11;
+enum class Layer : std::uint8_t {
+  bodies,
+  parts,
+  bvh,
+  contacts,
+  joints,
+  aabbs,
+  trails,
+  vectors,
+  labels,
+  grid,
+  clock,
+  forces,   ///< of contacts, at their points, and the reactions of joints
+  islands,  ///< bodies tinted by the island they belong to
+  ids,
+  mass,   ///< centres of mass, kilograms
+  energy  ///< kinetic, potential and total as bars
+};
+inline constexpr int layer_count = 16;
 const char* name_of(Layer layer);
 std::optional<Layer> layer_named(std::string_view name);
 std::optional<Theme> theme_named(std::string_view name);
@@ -42,6 +59,9 @@ struct Size {
   friend bool operator==(Size, Size) = default;
 };
 
+/// How a camera move goes on: from rest to rest, or at one speed.
+enum class Ease : std::uint8_t { smooth, linear };
+
 /// From `at` on the camera moves to the given view within `over` seconds, or follows a body.
 struct CameraMove {
   double at = 0;
@@ -49,6 +69,7 @@ struct CameraMove {
   std::optional<Vec2d> center;
   std::optional<double> height;
   std::optional<BodyId> follow;
+  Ease ease = Ease::smooth;
 };
 
 struct Caption {
@@ -75,15 +96,32 @@ struct VectorMark {
 struct TrailMark {
   BodyId body{};
   double seconds = 1;
+  std::optional<Vec2d> point;  ///< body coordinates; the centre of mass where not given
 };
 
-/// A chart of quantities against time; the functions live in the script, curve i of plot p is sampled by
-/// Script::plot_value.
+/// A chart of quantities against time, or of a phase portrait against another quantity; the functions live in the
+/// script, curve i of plot p is sampled by Script::plot_value.
 struct PlotMark {
   std::string title;
   std::vector<std::string> curves;  ///< names, in sorted order
   double seconds = 10;
   Corner at = Corner::top_right;
+  std::string unit = {};    ///< of all curves
+  std::string x_name = {};  ///< of a phase portrait: the quantity in the place of time, the curve behind the last one
+  std::string x_unit = {};
+};
+
+/// From scene time `from` to `to` a body, one of its points, a joint or a point of the world is emphasised. What is of
+/// a body or joint goes with it.
+struct Highlight {
+  std::optional<BodyId> body;
+  std::optional<JointId> joint;
+  std::optional<Vec2d> at;     ///< world
+  std::optional<Vec2d> point;  ///< body coordinates
+  double radius = 0;           ///< m, of the circle round a point; 0: a usual one
+  double from = 0;
+  double to = 0;
+  std::string text;
 };
 
 /// Between scene times `from` and `to` the film runs at `factor` times real speed.
@@ -111,6 +149,12 @@ struct Section {
   std::string name;
 };
 
+/// From scene time `at` on the picture shows these layers.
+struct LayerChange {
+  double at = 0;
+  std::vector<Layer> layers;
+};
+
 /// What the picture shows beyond the bodies. Grows while the script runs; entries are never removed.
 struct Picture {
   View view;
@@ -118,6 +162,8 @@ struct Picture {
   int fps = 60;
   Theme theme = Theme::light;
   std::vector<Layer> layers{Layer::bodies, Layer::joints, Layer::trails, Layer::vectors, Layer::labels};
+  std::vector<LayerChange> layer_changes;  ///< in order of time
+  double force_scale = 0;                  ///< m per N in the layer forces
   std::vector<CameraMove> camera;
   std::vector<Caption> captions;
   std::vector<Label> labels;
@@ -125,10 +171,16 @@ struct Picture {
   std::vector<TrailMark> trails;
   std::vector<PlotMark> plots;
   std::vector<GhostMark> ghosts;
+  std::vector<Highlight> highlights;
   std::vector<SlowMotion> slow;
   std::vector<Freeze> freezes;
   std::vector<Section> sections;  ///< in order of time
 };
+
+/// The layers of the moment.
+const std::vector<Layer>& layers_at(const Picture& picture, std::int64_t tick, int rate);
+/// Whether the layer shows at any time.
+bool ever_shows(const Picture& picture, Layer layer);
 
 /// Which film frames are kept as references, and how large.
 struct GoldenFrames {

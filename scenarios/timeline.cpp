@@ -112,6 +112,22 @@ bool is_sample_tick(const Scenario& scenario, std::int64_t tick) {
   return false;
 }
 
+const std::vector<Layer>& layers_at(const Picture& picture, std::int64_t tick, int rate) {
+  const std::vector<Layer>* layers = &picture.layers;
+  for (const LayerChange& change : picture.layer_changes) {
+    if (tick_at(change.at, rate) <= tick) layers = &change.layers;
+  }
+  return *layers;
+}
+
+bool ever_shows(const Picture& picture, Layer layer) {
+  const auto holds = [layer](const std::vector<Layer>& layers) {
+    return std::find(layers.begin(), layers.end(), layer) != layers.end();
+  };
+  return holds(picture.layers) || std::any_of(picture.layer_changes.begin(), picture.layer_changes.end(),
+                                              [&](const LayerChange& change) { return holds(change.layers); });
+}
+
 std::vector<std::int64_t> film_timeline(const Scenario& scenario) {
   const int rate = scenario.scene.rate;
   const int fps = scenario.picture.fps;

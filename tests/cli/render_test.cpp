@@ -83,6 +83,11 @@ TEST_CASE("Sections are chapters of a film, and a still each", "[cli]") {
     REQUIRE(chapters[1].start_s == Approx(0.25).margin(0.002));
     REQUIRE(chapters[1].end_s == Approx(0.5).margin(0.002));
   }
+  REQUIRE(c.run({"render", "parts", "-o", "cut.mkv", "--frames", "12:20"}).status == 0);
+  const std::vector<FilmChapter> cut = chapters_in(c / "cut.mkv");
+  REQUIRE(cut.size() == 2);
+  REQUIRE(cut[1].start_s == Approx(3 / 60.0).margin(0.002));
+  REQUIRE(cut[1].end_s == Approx(9 / 60.0).margin(0.002));
   REQUIRE(c.run({"render", "parts", "-o", "s%02d.png", "--stills"}).status == 0);
   REQUIRE(c.run({"render", "parts", "-o", "f.png", "--frames", "14"}).status == 0);
   REQUIRE(read_text(c / "s01.png") == read_text(c / "f.png"));
@@ -141,6 +146,24 @@ TEST_CASE("The same frames have the same hashes whatever draws them and on how m
   REQUIRE(read_text(c / "a.hash") != read_text(c / "c.hash"));
 }
 
+TEST_CASE("--layers holds for the whole film, also where the scenario changes its layers", "[cli]") {
+  const BallCollection c;
+  c.write("changing", falling_ball("layers { at = 0.2, 'grid' }\n"));
+  const auto last = [&c](const std::string& scenario, const std::string& layers) {
+    const std::string out = scenario + layers + ".png";
+    std::vector<std::string> arguments{"render", scenario, "-o", out, "--frames", "20"};
+    if (!layers.empty()) arguments.insert(arguments.end(), {"--layers", layers});
+    REQUIRE(c.run(arguments).status == 0);
+    return read_png(c / out).rgba;
+  };
+  const bool unchanged = last("changing", "") == last("ball", "");
+  CHECK_FALSE(unchanged);
+  const bool same_list = last("changing", "bodies") == last("ball", "bodies");
+  CHECK(same_list);
+  const bool added = last("changing", "+bodies") == last("ball", "bodies,grid");
+  CHECK(added);
+}
+
 TEST_CASE("--layers replaces the layers or changes them", "[cli]") {
   const BallCollection c;
   for (const char* layers : {"bodies", "grid", "+grid,-bodies", "bodies,grid", "+grid"}) {
@@ -185,6 +208,7 @@ TEST_CASE("Values that make no sense exit with 2 and leave no file", "[cli]") {
       {{"-o", "-", "--crf", "0"}, "which raw RGBA is not"},
       {{"-o", "a.avi"}, "a.avi"},
       {{"-o", "a.gif", "--fps", "60"}, "50"},
+      {{"-o", "a.gif", "--fps", "25"}, "225 or 250"},
       {{"-o", "a.mp4", "--transparent"}, "H.264 knows no transparency"},
       {{"-o", "%s.png"}, "%04d"},
       {{}, "--output"},

@@ -45,7 +45,8 @@ TEST_CASE("A picture of owners names something of every kind that is drawn") {
   CHECK(picture.owners.front() == Owner{});
   for (const OwnerKind kind :
        {OwnerKind::grid, OwnerKind::body, OwnerKind::trail, OwnerKind::bvh, OwnerKind::joint, OwnerKind::contact,
-        OwnerKind::vector, OwnerKind::clock, OwnerKind::caption, OwnerKind::plot, OwnerKind::label}) {
+        OwnerKind::vector, OwnerKind::clock, OwnerKind::caption, OwnerKind::plot, OwnerKind::label, OwnerKind::force,
+        OwnerKind::mass, OwnerKind::id, OwnerKind::energy, OwnerKind::highlight, OwnerKind::note}) {
     INFO(name_of(kind));
     const auto is_it = [kind](const Owner& owner) { return owner.kind == kind; };
     CHECK(std::any_of(picture.owners.begin(), picture.owners.end(), is_it));
@@ -64,7 +65,9 @@ TEST_CASE("Where a layer leaves its mark in the picture, it or what lies on top 
       const OwnerKind kind = picture.at(x, y).kind;
       // Text finds its place around contacts as well as around bodies, so labels and numbers may stand elsewhere.
       const bool fits = kind == OwnerKind::contact || kind == OwnerKind::vector || kind == OwnerKind::label ||
-                        kind == OwnerKind::caption || kind == OwnerKind::plot || kind == OwnerKind::grid;
+                        kind == OwnerKind::caption || kind == OwnerKind::plot || kind == OwnerKind::grid ||
+                        kind == OwnerKind::force || kind == OwnerKind::mass || kind == OwnerKind::id ||
+                        kind == OwnerKind::highlight || kind == OwnerKind::energy || kind == OwnerKind::note;
       CHECK(fits);
     }
   }

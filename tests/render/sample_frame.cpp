@@ -53,6 +53,11 @@ void add_bodies(Snapshot& snapshot) {
   snapshot.bodies[4].has_color = true;
   snapshot.bodies[4].color = 0xC08020;
   snapshot.bodies.back().sensor = true;
+  std::uint32_t island = 0;
+  for (BodyView& body : snapshot.bodies) {
+    if (body.type == BodyType::dynamic) body.island = ++island;
+  }
+  snapshot.energy = {20, 60, 0};
 }
 
 void add_engine_parts(Snapshot& snapshot) {
@@ -100,6 +105,9 @@ Frame sample_frame() {
   for (int i = 0; i < 50; ++i) trail.points.push_back({-4 + 0.05 * i, 3 + elementary::sin(0.2 * i)});
   frame.trails.push_back(trail);
   frame.arrows = {{VectorOf::velocity, {-2, 2}, {-1, 2.8}}, {VectorOf::force, {1, 1.6}, {1, 0.8}}};
+  frame.force_scale = 0.15;
+  frame.energy = {90, 0, 100};
+  frame.highlights = {{static_cast<BodyId>(8), {}, 0, 1, "this one"}, {BodyId::world, Vec2d{4, 3}, 0.2, 0.5, ""}};
   frame.labels = {{frame.snapshot.bodies[5].state.center, 0.4, "α"}, {{2.2, 1.5}, 0.5, "hexagon"}};
   frame.captions = {{"All that a picture may show", Corner::top}, {"and a line below", Corner::bottom}};
   frame.plots = {sample_plot(Corner::top_right), sample_plot(Corner::top_right)};

@@ -1,6 +1,8 @@
 #include "scenarios/film.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "scene_text.h"
 
@@ -145,4 +147,21 @@ TEST_CASE("A plot holds the samples of its last seconds, curves in order of thei
   CHECK(plot.times.back() == Approx(3));
   CHECK(plot.values[0].back() == Approx(-3));
   CHECK(plot.values[1].front() == Approx(2));
+}
+
+TEST_CASE("A trail may be that of a point of the body") {
+  auto r = run("trail{body=b, seconds=0.5, point={0.5, 0}} b:set{spin=1}");
+  const auto points = frame_at(r, 100).trails.at(0).points;
+  const BodyState body = r.simulation->body(static_cast<BodyId>(1));
+  CHECK(distance(points.back(), body.position) == Approx(0.5));
+  CHECK(points.front().x == Approx(0.5 + 0.5 * std::cos(0.5)).margin(0.02));
+}
+
+TEST_CASE("A camera move at one speed is half way at half the time, and a quarter of the way after a quarter") {
+  auto r = run("camera{at=1, center={4, 5}, over=2, ease='linear'}");
+  CHECK(frame_at(r, 100).view.center.x == 0);
+  CHECK(frame_at(r, 150).view.center.x == Approx(1));
+  CHECK(frame_at(r, 200).view.center.x == Approx(2));
+  CHECK(frame_at(r, 400).view.center.x == Approx(4));
+  CHECK_THAT(error_of("scenario{}\ncamera{center={0,0}, ease='fast'}"), Contains("line 2") && Contains("smooth"));
 }

@@ -71,6 +71,12 @@ TEST_CASE("Freezes and slow motion go together") {
   CHECK(frames.size() == 30 + 24 + 24 + 12);
 }
 
+TEST_CASE("Slow stretches may follow one another but not overlap") {
+  CHECK(error_of("scenario{}\nslow{from=1, to=2, factor=0.5} slow{from=2, to=3, factor=0.25}").empty());
+  CHECK_THAT(error_of("scenario{}\nslow{from=1, to=2, factor=0.5}\nslow{from=1.5, to=3, factor=0.5}"),
+             Contains("line 3") && Contains("overlap"));
+}
+
 TEST_CASE("Sections are parts of the film, each as long as it takes to the next one") {
   const auto scenario = load_text(
       "scenario{duration=1}\nfreeze{at=0.6, seconds=0.5}\nsection{at=0, name='up'} section{at=0.5, name='down'}");
