@@ -79,6 +79,15 @@ bool slides(const ContactConstraint& c) {
   return available > 0 && used >= real(0.999999) * available;
 }
 
+ContactSwept swept_event(const ContactConstraint& c) {
+  ContactSwept event{c.contact, c.count, {}, {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    event.normal[k] = static_cast<double>(c.points[k].normal_impulse);
+    event.tangent[k] = static_cast<double>(c.points[k].tangent_impulse);
+  }
+  return event;
+}
+
 /// 0, 2, 4, ... 1, 3, 5, ... for i = 0 .. n - 1.
 std::size_t every_other_first(std::size_t i, std::size_t n) {
   const std::size_t evens = n - n / 2;
@@ -233,8 +242,9 @@ template <ContactSolver::Push push>
   p.normal_impulse = impulse;
 }
 
-template <ContactSolver::Push push, bool friction, bool moving>
-void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
+// Never inlined, so that it costs the same whether or not there are sweeps that are watched.
+template <ContactSolver::Push push, bool friction, bool moving, typename Observer>
+[[gnu::noinline]] void ContactSolver::sweep_all(std::vector<Motion>& motions, real h, Observer observer) {
   const std::size_t n = constraints_.size();
   for (std::size_t i = 0; i < n; ++i) {
     // Up through the pile, and down again by every other one first: neither direction, nor the side the pile was built
@@ -250,17 +260,18 @@ void ContactSolver::sweep_all(std::vector<Motion>& motions, real h) {
       if constexpr (moving) wanted_slip = surface_speeds_[at];
       for (int k = 0; k < c.count; ++k) solve_friction<moving>(c, c.points[k], a, b, wanted_slip);
     }
+    if constexpr (Observer::watches) observer([&] { return swept_event(c); });
   }
 }
 
-template <ContactSolver::Push push>
-void ContactSolver::sweep(std::vector<Motion>& motions, real h) {
+template <ContactSolver::Push push, typename Observer>
+void ContactSolver::sweep(std::vector<Motion>& motions, real h, Observer observer) {
   if (!parts_.friction) {
-    sweep_all<push, false, false>(motions, h);
+    sweep_all<push, false, false>(motions, h, observer);
   } else if (parts_.surface_speed) {
-    sweep_all<push, true, true>(motions, h);
+    sweep_all<push, true, true>(motions, h, observer);
   } else {
-    sweep_all<push, true, false>(motions, h);
+    sweep_all<push, true, false>(motions, h, observer);
   }
   rolling_.sweep(constraints_, motions);
   count_swept_rows(parts_.friction ? 2 : 1);
@@ -274,22 +285,26 @@ void ContactSolver::count_swept_rows(int at_point) const {
   count_row_updates(static_cast<std::size_t>(rows));
 }
 
-template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion>&, real);
+template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion>&, real, NoObserver);
 
-void ContactSolver::solve(std::vector<Motion>& motions, real h) {
+template <typename Observer>
+void ContactSolver::solve(std::vector<Motion>& motions, real h, Observer observer) {
   switch (method_) {
     case ContactMethod::automatic:
     case ContactMethod::soft_step:
-      return sweep<Push::softly>(motions, h);
+      return sweep<Push::softly>(motions, h, observer);
     case ContactMethod::sequential_impulses:
-      return sweep<Push::at_once>(motions, h);
+      return sweep<Push::at_once>(motions, h, observer);
     case ContactMethod::ngs:
-      return sweep<Push::never>(motions, h);
+      return sweep<Push::never>(motions, h, observer);
     case ContactMethod::exact:  // solves them otherwise (exact_contacts.h)
     case ContactMethod::event:
       return;
   }
 }
+
+template void ContactSolver::solve<NoObserver>(std::vector<Motion>&, real, NoObserver);
+template void ContactSolver::solve<Observer>(std::vector<Motion>&, real, Observer);
 
 /// Separations are those of the moment: what one contact moves the next one sees.
 void ContactSolver::push_out(std::vector<Motion>& motions) const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/contact.h"
+#include "engine/observer.h"
 #include "engine/rolling.h"
 
 namespace proofreel {
@@ -99,8 +100,10 @@ class ContactSolver {
   void begin_substep(std::vector<Motion>& motions, real share);
   /// Adds the other share before the relaxing sweep.
   void add_share(std::vector<Motion>& motions, real share);
-  /// One sweep that stops approach and, as far as the method does it by velocity, drives out overlap.
-  void solve(std::vector<Motion>& motions, real h);
+  /// One sweep that stops approach and, as far as the method does it by velocity, drives out overlap. The observer sees
+  /// ContactSwept.
+  template <typename Observer = NoObserver>
+  void solve(std::vector<Motion>& motions, real h, Observer observer = {});
   /// One sweep that only stops approach.
   void relax(std::vector<Motion>& motions, real h) { sweep<Push::back>(motions, h); }
   /// One sweep over the positions that takes out a part of the overlap.
@@ -133,13 +136,13 @@ class ContactSolver {
   /// sweep takes back what another one has pushed too much.
   enum class Push : std::uint8_t { softly, at_once, never, back };
 
-  template <Push push>
-  void sweep(std::vector<Motion>& motions, real h);
+  template <Push push, typename Observer = NoObserver>
+  void sweep(std::vector<Motion>& motions, real h, Observer observer = {});
   void count_swept_rows(int at_point) const;
   ContactConstraint constraint_of(std::uint32_t index, const Contact& contact, const std::vector<Shape>& shapes,
                                   const std::vector<Motion>& motions) const;
-  template <Push push, bool friction, bool moving>
-  void sweep_all(std::vector<Motion>& motions, real h);
+  template <Push push, bool friction, bool moving, typename Observer>
+  void sweep_all(std::vector<Motion>& motions, real h, Observer observer);
   template <Push push>
   void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b, real h) const;
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What the geometric algorithms can tell about their run (see observer.h). Plain values in double precision; a point
-/// is in the frame the algorithm works in: polygons in their own, pairs of shapes in the frame of shape A, the tree in
-/// world coordinates.
+/// What the algorithms that are taught can tell about their run (see observer.h). Plain values in double precision; a
+/// point is in the frame the algorithm works in: polygons in their own, pairs of shapes in the frame of shape A, the
+/// tree in world coordinates.
 
 #include <array>
 #include <cstddef>
@@ -146,9 +146,20 @@ struct PairVisited {
   bool pruned = false;
 };
 
-using Event =
-    std::variant<CornerTested, DiagonalTested, HullCandidate, HullCorner, TriangleAdded, CutChosen, AxisTested,
-                 AxisChosen, FacesChosen, PointClipped, SupportFound, SimplexReduced, DistanceFound, ClosestEdge,
-                 PolytopeExpanded, Advanced, SiblingTested, SiblingChosen, NodesRotated, NodeVisited, PairVisited>;
+// Contact solver (contact_solver.h).
+
+/// A sweep has dealt with a contact: the impulses of its points so far in this substep, N s. `contact` is its place in
+/// the list the solver was prepared with.
+struct ContactSwept {
+  std::uint32_t contact = 0;
+  int count = 0;
+  std::array<double, 2> normal{};
+  std::array<double, 2> tangent{};
+};
+
+using Event = std::variant<CornerTested, DiagonalTested, HullCandidate, HullCorner, TriangleAdded, CutChosen,
+                           AxisTested, AxisChosen, FacesChosen, PointClipped, SupportFound, SimplexReduced,
+                           DistanceFound, ClosestEdge, PolytopeExpanded, Advanced, SiblingTested, SiblingChosen,
+                           NodesRotated, NodeVisited, PairVisited, ContactSwept>;
 
 }  // namespace proofreel

@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "engine/polygon.h"
 #include "engine/state_hash.h"
 #include "scenarios/demonstrations/algorithms.h"
-#include "scenarios/demonstrations/storyboard.h"
+#include "scenarios/demonstrations/checks.h"
 
 namespace proofreel {
 namespace {
@@ -15,7 +14,8 @@ namespace {
 /// More would not be told apart in a picture, and make a film of hours.
 constexpr std::size_t most_points = 32;
 constexpr std::size_t most_boxes = 12;
-constexpr std::size_t most_corners = 8;
+constexpr std::size_t most_vectors = 8;
+constexpr std::size_t most_bodies = 6;
 
 using Check = std::optional<std::string> (*)(const Demonstration&);
 
@@ -28,71 +28,8 @@ struct Recipe {
   double pace;
   Check check;
   Story (*tell)(const Demonstration&);
+  bool takes_placing = false;
 };
-
-bool is_polygon(const DemonstrationShape& shape) {
-  return shape.parts.size() == 1 && shape.parts[0].size() >= 3 && shape.radius == 0;
-}
-
-bool is_circle(const DemonstrationShape& shape) { return shape.parts.size() == 1 && shape.parts[0].size() == 1; }
-
-std::optional<std::string> check_points(const Demonstration& d) {
-  if (convex_hull(d.points).size() >= 3) return std::nullopt;
-  return "takes points that are not all on one line: move one off the line";
-}
-
-std::optional<std::string> check_outline(const Demonstration& d) {
-  const auto cleaned = clean_polygon(d.points);
-  if (const auto* problem = std::get_if<std::string>(&cleaned)) return "takes an outline, but " + *problem;
-  if (std::get<0>(cleaned).size() == d.points.size()) return std::nullopt;
-  return std::string(
-      "takes the corners of an outline, none of them twice and none within a straight edge: leave it out");
-}
-
-std::optional<std::string> check_polygons(const Demonstration& d) {
-  const auto fits = [](const auto& shape) { return is_polygon(shape) && shape.parts[0].size() <= most_corners; };
-  if (std::all_of(d.shapes.begin(), d.shapes.end(), fits)) return std::nullopt;
-  return "takes two convex polygons without rounding, of at most " + std::to_string(most_corners) + " corners each";
-}
-
-/// Every axis has a bar of its own.
-std::optional<std::string> check_axes(const Demonstration& d) {
-  constexpr std::size_t most_axes = 10;
-  if (const auto problem = check_polygons(d)) return problem;
-  if (d.shapes[0].parts[0].size() + d.shapes[1].parts[0].size() <= most_axes) return std::nullopt;
-  return "takes two convex polygons of at most " + std::to_string(most_axes) + " corners together";
-}
-
-std::optional<std::string> check_boxes(const Demonstration& d) {
-  const auto box_of = [](const DemonstrationShape& shape) {
-    Aabbd box;
-    for (const auto& part : shape.parts) box = merged(box, expanded(bounds_of(part), shape.radius));
-    return box;
-  };
-  for (std::size_t i = 0; i < d.shapes.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Aabbd a = box_of(d.shapes[i]), b = box_of(d.shapes[j]);
-      if (a.lower == b.lower && a.upper == b.upper)
-        return "takes shapes whose boxes differ, but shape " + std::to_string(j + 1) + " and shape " +
-               std::to_string(i + 1) + " have the same one: move one of them";
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> check_circle(const Demonstration& d) {
-  const bool other = is_circle(d.shapes[1]) || (is_polygon(d.shapes[1]) && d.shapes[1].parts[0].size() <= most_corners);
-  if (is_circle(d.shapes[0]) && other) return std::nullopt;
-  return "takes a circle, and then a circle or a convex polygon without rounding of at most " +
-         std::to_string(most_corners) + " corners";
-}
-
-std::optional<std::string> check_body(const Demonstration& d) {
-  const DemonstrationShape& shape = d.shapes[0];
-  const auto thin = [](const auto& part) { return part.size() < 3; };
-  if (shape.radius == 0 && std::none_of(shape.parts.begin(), shape.parts.end(), thin)) return std::nullopt;
-  return std::string("takes a polygon, convex or concave, without rounding");
-}
 
 constexpr std::array<Recipe, algorithm_count> recipes{{
     {"gift_wrapping", true, 3, most_points, 0.5, check_points, tell_gift_wrapping},
@@ -105,6 +42,15 @@ constexpr std::array<Recipe, algorithm_count> recipes{{
     {"centroid", true, 3, most_points, 1, check_outline, tell_centroid},
     {"circle_contact", false, 2, 2, 0.9, check_circle, tell_circle_contact},
     {"bounding_volumes", false, 1, 1, 1, check_body, tell_bounding_volumes},
+    {"dot_product", true, 3, most_vectors, 1, check_vectors, tell_dot_product},
+    {"cross_product", true, 3, most_vectors, 1, check_vectors, tell_cross_product},
+    {"transforms", false, 1, 1, 1, check_transform, tell_transforms, true},
+    {"transform_order", false, 1, 1, 1, check_transform, tell_transform_order, true},
+    {"gjk_line", false, 2, 2, 1, check_intervals, tell_gjk_line},
+    {"center_of_mass", false, 2, most_bodies, 1, check_masses, tell_center_of_mass},
+    {"moment_of_inertia", false, 2, most_bodies, 1, check_masses, tell_moment_of_inertia},
+    {"friction_cone", false, 1, 1, 1, check_block, tell_friction_cone},
+    {"sequential_impulses", false, 2, most_bodies, 1, check_stack, tell_sequential_impulses},
 }};
 
 const Recipe& recipe_of(Algorithm algorithm) { return recipes[static_cast<std::size_t>(algorithm)]; }
@@ -132,7 +78,8 @@ StoryMark underway(const StoryMark& mark, const std::vector<StoryMark>& before, 
   StoryMark moving = mark;
   const auto was = std::find_if(before.begin(), before.end(), [&](const StoryMark& other) {
     if (mark.key.empty()) return looks_like(mark, other);
-    return mark.key == other.key && mark.kind == other.kind && mark.points.size() == other.points.size();
+    return mark.key == other.key && mark.kind == other.kind && mark.pane == other.pane &&
+           mark.points.size() == other.points.size();
   });
   if (was == before.end()) {
     moving.presence = part;
@@ -194,6 +141,8 @@ std::optional<std::string> problem_with(const Demonstration& d) {
         "takes " + std::string(recipe.takes_points ? "points={{x, y}, ...}" : "shapes={...}") + ", " + amount(recipe);
   } else if (given < recipe.fewest || given > recipe.most) {
     problem = "takes " + amount(recipe) + ", got " + std::to_string(given);
+  } else if (recipe.takes_placing != d.placing.has_value()) {
+    problem = std::string(recipe.takes_placing ? "takes" : "takes no") + " scale={x, y}, angle= and at={x, y}";
   } else {
     problem = recipe.check(d);
   }

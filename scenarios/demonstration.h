@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/aabb.h"
+#include "engine/scene.h"
 
 namespace proofreel {
 
@@ -29,9 +30,18 @@ enum class Algorithm : std::uint8_t {
   edge_walk,
   centroid,
   circle_contact,
-  bounding_volumes
+  bounding_volumes,
+  dot_product,
+  cross_product,
+  transforms,
+  transform_order,
+  gjk_line,
+  center_of_mass,
+  moment_of_inertia,
+  friction_cone,
+  sequential_impulses
 };
-inline constexpr int algorithm_count = 10;
+inline constexpr int algorithm_count = 19;
 const char* name_of(Algorithm algorithm);
 /// Seconds a usual step is shown unless the scenario says otherwise: comparisons come in dozens and are all alike.
 double usual_pace(Algorithm algorithm);
@@ -40,14 +50,24 @@ double usual_pace(Algorithm algorithm);
 struct DemonstrationShape {
   std::vector<std::vector<Vec2d>> parts;
   double radius = 0;
+  double density = 1;  ///< kg/m^2
+  FrictionDef friction{};
 };
 
-/// What a scenario asks for. Algorithms on outlines and point sets take `points`, the others `shapes`.
+/// The three parts of a transform from local to world coordinates.
+struct Placing {
+  Vec2d scale{1, 1};
+  double angle = 0;  ///< rad
+  Vec2d at;          ///< m
+};
+
+/// What a scenario asks for. Algorithms on outlines, point sets and vectors take `points`, the others `shapes`.
 struct Demonstration {
   Algorithm algorithm = Algorithm::gift_wrapping;
   std::vector<Vec2d> points;
   std::vector<DemonstrationShape> shapes;
-  double pace = 1;  ///< s a usual step is shown
+  double pace = 1;                 ///< s a usual step is shown
+  std::optional<Placing> placing;  ///< of transforms, which need it
 };
 
 /// What a mark means, which decides how it looks.
@@ -81,7 +101,7 @@ struct StoryMark {
   double radius = 0;          ///< m, of a shape
   std::string text;           ///< the label of a dot or a text, with formulas ($...$)
   Vec2d side;                 ///< where the label stands as seen from its point; zero: over it, centred
-  std::string key;            ///< the mark of that key in the step before is this one: it moves here
+  std::string key;            ///< the mark of that key in the step before and in this pane is this one: it moves
   int pane = 0;
   int group = 0;        ///< shapes of one group, unless it is 0, are the parts of one outline
   double presence = 1;  ///< 0..1 while it appears

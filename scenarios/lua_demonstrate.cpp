@@ -65,7 +65,8 @@ std::vector<DemonstrationShape> read_shapes(const Fields& fields) {
     if (!shape->problem.empty())
       fields.refuse("shapes",
                     "holds a shape in place " + std::to_string(place) + " that cannot be used: " + shape->problem);
-    shapes.push_back({shape->parts, shape->radius});
+    shapes.push_back(
+        {shape->parts, shape->radius, shape->density.value_or(1), shape->friction.value_or(FrictionDef{})});
   });
   return shapes;
 }
@@ -77,6 +78,14 @@ Algorithm read_algorithm(const Fields& fields) {
   return *algorithm;
 }
 
+/// Asked for by any of its keys.
+std::optional<Placing> read_placing(const Fields& fields) {
+  if (!fields.has("scale") && !fields.has("angle") && !fields.has("at")) return std::nullopt;
+  const Placing untouched;
+  return Placing{fields.vector("scale").value_or(untouched.scale), fields.number("angle").value_or(untouched.angle),
+                 fields.vector("at", Range::place).value_or(untouched.at)};
+}
+
 /// What a story takes of the memory.
 void charge_for(lua_State* state, const Story& story) {
   constexpr std::uint64_t cost = 400;
@@ -86,7 +95,7 @@ void charge_for(lua_State* state, const Story& story) {
 }
 
 int demonstrate(lua_State* state) {
-  static constexpr Name keys[] = {{"algorithm"}, {"points"}, {"shapes"}, {"pace"}};
+  static constexpr Name keys[] = {{"algorithm"}, {"points"}, {"shapes"}, {"pace"}, {"scale"}, {"angle"}, {"at"}};
   const Fields fields(state, 1, "demonstrate", keys);
   Model& model = model_of(state);
   model.must_load("demonstrate");
@@ -95,6 +104,7 @@ int demonstrate(lua_State* state) {
   asked.points = read_points(fields);
   asked.shapes = read_shapes(fields);
   asked.pace = fields.number("pace", Range::positive).value_or(usual_pace(asked.algorithm));
+  asked.placing = read_placing(fields);
   if (asked.pace > slowest_pace) fields.refuse("pace", "must not be larger than 60: it is the seconds a step is shown");
   if (const auto problem = problem_with(asked)) throw Problem("demonstrate: " + *problem);
   if (!model.bodies.empty())

@@ -17,5 +17,14 @@ Story tell_edge_walk(const Demonstration& demonstration);
 Story tell_centroid(const Demonstration& demonstration);
 Story tell_circle_contact(const Demonstration& demonstration);
 Story tell_bounding_volumes(const Demonstration& demonstration);
+Story tell_dot_product(const Demonstration& demonstration);
+Story tell_cross_product(const Demonstration& demonstration);
+Story tell_transforms(const Demonstration& demonstration);
+Story tell_transform_order(const Demonstration& demonstration);
+Story tell_gjk_line(const Demonstration& demonstration);
+Story tell_center_of_mass(const Demonstration& demonstration);
+Story tell_moment_of_inertia(const Demonstration& demonstration);
+Story tell_friction_cone(const Demonstration& demonstration);
+Story tell_sequential_impulses(const Demonstration& demonstration);
 
 }  // namespace proofreel

@@ -47,15 +47,6 @@ struct Bounded {
   double area = 0;
 };
 
-DemonstrationShape turned(const DemonstrationShape& shape, Vec2d about, double angle) {
-  DemonstrationShape result = shape;
-  const Posed pose{about, Rotd(angle)};
-  for (std::vector<Vec2d>& part : result.parts) {
-    for (Vec2d& p : part) p = to_world(pose, p - about);
-  }
-  return result;
-}
-
 Bounded bounded(const DemonstrationShape& shape, Vec2d center) {
   Bounded result{shape, {}, 0};
   std::vector<Vec2d> points;

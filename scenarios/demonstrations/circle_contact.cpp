@@ -95,8 +95,18 @@ class CircleAndPolygon {
     board_.step("Which edge is the centre $S$ farthest in front of? Measure along the normal of every edge.", 3);
   }
 
-  void tell(const Event& event) {
-    if (const auto* axis = std::get_if<AxisTested>(&event)) tell(*axis);
+  void tell(const AxisTested& axis) {
+    const std::size_t edge = tested_++;
+    const double in_front = axis.separation + radius_;
+    if (edge == 0 || in_front > best_distance_) {
+      best_ = edge;
+      best_distance_ = in_front;
+      normal_ = axis.axis;
+    }
+    show_edge(edge, Role::candidate);
+    board_.show(arrow_mark(Role::candidate, centre_ - in_front * axis.axis, centre_));
+    board_.step(filled("Edge %: $S$ is $%$ m in front of it%",
+                       {figure(edge + 1), figure(in_front), best_ == edge ? ", the most so far." : "."}));
   }
 
   Story finish(const Manifold& manifold) {
@@ -117,20 +127,6 @@ class CircleAndPolygon {
   }
 
  private:
-  void tell(const AxisTested& axis) {
-    const std::size_t edge = tested_++;
-    const double in_front = axis.separation + radius_;
-    if (edge == 0 || in_front > best_distance_) {
-      best_ = edge;
-      best_distance_ = in_front;
-      normal_ = axis.axis;
-    }
-    show_edge(edge, Role::candidate);
-    board_.show(arrow_mark(Role::candidate, centre_ - in_front * axis.axis, centre_));
-    board_.step(filled("Edge %: $S$ is $%$ m in front of it%",
-                       {figure(edge + 1), figure(in_front), best_ == edge ? ", the most so far." : "."}));
-  }
-
   /// In front of an edge, beyond one of its ends, or inside.
   void tell_region(const Manifold& manifold) {
     const bool on_edge = dot(Vec2d(manifold.normal), normal_) < -1 + 1e-12;
@@ -171,8 +167,7 @@ Story tell_circle_contact(const Demonstration& demonstration) {
   const Hull other = hull_of(demonstration.shapes[1]);
   if (other.count == 1) return Circles(demonstration).tell(collide(circle, Pose{}, other, Pose{}, 0));
   CircleAndPolygon story(demonstration);
-  return story.finish(
-      collide(circle, Pose{}, other, Pose{}, 0, Observer([&](const Event& event) { story.tell(event); })));
+  return story.finish(collide(circle, Pose{}, other, Pose{}, 0, telling(story)));
 }
 
 }  // namespace proofreel

@@ -22,24 +22,6 @@ class Wrapping {
     board_.step(filled("% points. Which of them are corners of their convex hull?", {figure(points_.size())}), 5);
   }
 
-  void tell(const Event& event) {
-    if (const auto* corner = std::get_if<HullCorner>(&event)) tell(*corner);
-    if (const auto* candidate = std::get_if<HullCandidate>(&event)) tell(*candidate);
-  }
-
-  Story finish(const std::vector<Vec2d>& hull) {
-    board_.show(region_mark(Role::result, hull));
-    board_.show(closed_path(Role::result, hull));
-    for (const Vec2d corner : hull) board_.show(dot_mark(Role::result, corner));
-    show_cost();
-    board_.step(filled("Back at the start. $h = %$ corners took $(n \u2212 2)\u2009h = %$ comparisons, so gift "
-                       "wrapping is $O(n\u2009h)$.",
-                       {figure(hull.size()), figure(comparisons_)}),
-                7);
-    return board_.finish();
-  }
-
- private:
   void tell(const HullCorner& event) {
     hull_.push_back(event.corner);
     show_hull();
@@ -67,6 +49,19 @@ class Wrapping {
     board_.step(filled("$\\vec{PQ} \u00d7 \\vec{PR} = %$: %", {figure(turn), verdict(turn, event.better)}));
   }
 
+  Story finish(const std::vector<Vec2d>& hull) {
+    board_.show(region_mark(Role::result, hull));
+    board_.show(closed_path(Role::result, hull));
+    for (const Vec2d corner : hull) board_.show(dot_mark(Role::result, corner));
+    show_cost();
+    board_.step(filled("Back at the start. $h = %$ corners took $(n \u2212 2)\u2009h = %$ comparisons, so gift "
+                       "wrapping is $O(n\u2009h)$.",
+                       {figure(hull.size()), figure(comparisons_)}),
+                7);
+    return board_.finish();
+  }
+
+ private:
   static std::string verdict(double turn, bool better) {
     if (turn == 0)
       return better ? "$R$ is in line and farther away. It takes $Q$'s place." : "$R$ is in line and nearer.";
@@ -106,9 +101,7 @@ class Wrapping {
 Story tell_gift_wrapping(const Demonstration& demonstration) {
   Wrapping wrapping(demonstration);
   wrapping.begin();
-  const std::vector<Vec2d> hull =
-      convex_hull(demonstration.points, Observer([&](const Event& event) { wrapping.tell(event); }));
-  return wrapping.finish(hull);
+  return wrapping.finish(convex_hull(demonstration.points, telling(wrapping)));
 }
 
 }  // namespace proofreel

@@ -52,28 +52,6 @@ class Search {
     board_.heading("GJK: a simplex around the origin");
   }
 
-  void tell(const Event& event) {
-    std::visit([this](const auto& e) { tell(e); }, event);
-  }
-
-  Story finish(const Manifold& manifold) {
-    if (touching_) {
-      tell_depth();
-      board_.heading("Contact points");
-      show_manifold(manifold);
-      show_edge(Role::result);
-      board_.step(filled("The manifold: normal $n = %$ from A to B, depth $%$ m, %",
-                         {figure(Vec2d(manifold.normal)), figure(-static_cast<double>(deepest(manifold))),
-                          manifold.count == 2 ? "two points." : "one point."}),
-                  6);
-    }
-    return board_.finish();
-  }
-
- private:
-  template <typename Other>
-  void tell(const Other&) {}
-
   void tell(const SimplexReduced& event) {
     simplex_.assign(event.points.begin(), event.points.begin() + event.count);
     closest_ = event.closest;
@@ -186,6 +164,21 @@ class Search {
     board_.step(first + then, 4);
   }
 
+  Story finish(const Manifold& manifold) {
+    if (touching_) {
+      tell_depth();
+      board_.heading("Contact points");
+      show_manifold(manifold);
+      show_edge(Role::result);
+      board_.step(filled("The manifold: normal $n = %$ from A to B, depth $%$ m, %",
+                         {figure(Vec2d(manifold.normal)), figure(-static_cast<double>(deepest(manifold))),
+                          manifold.count == 2 ? "two points." : "one point."}),
+                  6);
+    }
+    return board_.finish();
+  }
+
+ private:
   /// EPA's answer, once it is known that nothing lies farther out.
   void tell_depth() {
     if (told_depth_) return;
@@ -279,9 +272,7 @@ Story tell_gjk_epa(const Demonstration& demonstration) {
   search.begin();
   const PlacedHull a = placed_hull_of(demonstration.shapes[0]);
   const PlacedHull b = placed_hull_of(demonstration.shapes[1]);
-  const Manifold manifold =
-      collide_gjk(a.hull, a.pose, b.hull, b.pose, 0, Observer([&](const Event& event) { search.tell(event); }));
-  return search.finish(manifold);
+  return search.finish(collide_gjk(a.hull, a.pose, b.hull, b.pose, 0, telling(search)));
 }
 
 }  // namespace proofreel

@@ -15,33 +15,50 @@ std::vector<Vec2d> outline_of(const Demonstration& demonstration) {
 
 Vec2d outward(const std::vector<Vec2d>& corners, Vec2d p) { return towards(middle_of(corners), p); }
 
-void keep_outline(Storyboard& board, const std::vector<Vec2d>& corners, const std::string& prefix) {
+/// The outline with names at its corners, and the first sentence.
+Storyboard begun(const Demonstration& asked, const std::vector<Vec2d>& corners, const std::string& prefix,
+                 const std::string& heading, const std::string& sentence) {
+  Storyboard board(asked.pace);
+  board.pane("");
+  board.heading(heading);
   board.keep(closed_path(Role::first, corners));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::string name = prefix.empty() ? letter(i) : filled("$%_{%}$", {prefix, std::to_string(i + 1)});
     board.keep(labelled(dot_mark(Role::first, corners[i]), outward(corners, corners[i]), name));
   }
+  board.step(sentence, 3);
+  return board;
 }
 
 std::string sign_of(double value) { return value > 0 ? " > 0" : value < 0 ? " < 0" : ""; }
 
-void tell_diagonal(Storyboard& board, const DiagonalTested& event, bool first) {
-  const std::string names = first ? "ACBD" : "BDAC";  // the diagonal, then the two other corners
-  const double one = orientation(event.a, event.c, event.one);
-  const double other = orientation(event.a, event.c, event.other);
-  const Role role = event.separates ? Role::result : Role::alert;
-  board.show(region_mark(Role::chosen, {event.a, event.c, event.one}));
-  board.show(region_mark(event.separates ? Role::candidate : Role::chosen, {event.a, event.c, event.other}));
-  board.show(path_mark(role, {event.a, event.c}));
-  const auto product = [&](char to, double value) {
-    return filled("$\\vec{%} \u00d7 \\vec{%} = %%$",
-                  {names.substr(0, 2), {names[0], to}, figure(value), sign_of(value)});
-  };
-  board.step(filled("% and %: the diagonal %%", {product(names[2], one), product(names[3], other), names.substr(0, 2),
-                                                 event.separates ? " has the other two corners on its two sides."
-                                                                 : " has both other corners on the same side."}),
-             4);
-}
+class Diagonals {
+ public:
+  explicit Diagonals(Storyboard& board) : board_(board) {}
+
+  void tell(const DiagonalTested& event) {
+    const std::string names = told_++ == 0 ? "ACBD" : "BDAC";  // the diagonal, then the two other corners
+    const double one = orientation(event.a, event.c, event.one);
+    const double other = orientation(event.a, event.c, event.other);
+    const Role role = event.separates ? Role::result : Role::alert;
+    board_.show(region_mark(Role::chosen, {event.a, event.c, event.one}));
+    board_.show(region_mark(event.separates ? Role::candidate : Role::chosen, {event.a, event.c, event.other}));
+    board_.show(path_mark(role, {event.a, event.c}));
+    const auto product = [&](char to, double value) {
+      return filled("$\\vec{%} \u00d7 \\vec{%} = %%$",
+                    {names.substr(0, 2), {names[0], to}, figure(value), sign_of(value)});
+    };
+    board_.step(
+        filled("% and %: the diagonal %%", {product(names[2], one), product(names[3], other), names.substr(0, 2),
+                                            event.separates ? " has the other two corners on its two sides."
+                                                            : " has both other corners on the same side."}),
+        4);
+  }
+
+ private:
+  Storyboard& board_;
+  int told_ = 0;
+};
 
 class EdgeWalk {
  public:
@@ -135,19 +152,12 @@ class Centroid {
 }  // namespace
 
 Story tell_diagonal_test(const Demonstration& demonstration) {
-  Storyboard board(demonstration.pace);
-  board.pane("");
-  board.heading("Convex? The diagonals of a quadrilateral");
   const std::vector<Vec2d> p = outline_of(demonstration);
-  keep_outline(board, p, "");
-  board.step("A quadrilateral is convex exactly when each diagonal has the other two corners on its two sides.", 3);
-  bool first = true;
-  const bool convex = quadrilateral_is_convex(p[0], p[1], p[2], p[3], Observer([&](const Event& event) {
-                                                if (const auto* diagonal = std::get_if<DiagonalTested>(&event)) {
-                                                  tell_diagonal(board, *diagonal, first);
-                                                  first = false;
-                                                }
-                                              }));
+  Storyboard board =
+      begun(demonstration, p, "", "Convex? The diagonals of a quadrilateral",
+            "A quadrilateral is convex exactly when each diagonal has the other two corners on its two sides.");
+  Diagonals diagonals(board);
+  const bool convex = quadrilateral_is_convex(p[0], p[1], p[2], p[3], telling(diagonals));
   board.show(path_mark(Role::chosen, {p[0], p[2]}));
   board.show(path_mark(Role::chosen, {p[1], p[3]}));
   board.show(closed_path(convex ? Role::result : Role::alert, p));
@@ -159,29 +169,19 @@ Story tell_diagonal_test(const Demonstration& demonstration) {
 
 Story tell_edge_walk(const Demonstration& demonstration) {
   const std::vector<Vec2d> corners = outline_of(demonstration);
-  Storyboard board(demonstration.pace);
-  board.pane("");
-  board.heading("Convex? A walk along the edges");
-  keep_outline(board, corners, "V");
-  board.step("Go round counter-clockwise. A convex polygon turns left at every corner.", 3);
+  Storyboard board = begun(demonstration, corners, "V", "Convex? A walk along the edges",
+                           "Go round counter-clockwise. A convex polygon turns left at every corner.");
   EdgeWalk walk(corners, board);
-  walk.finish(is_convex(corners, Observer([&](const Event& event) {
-                          if (const auto* corner = std::get_if<CornerTested>(&event)) walk.tell(*corner);
-                        })));
+  walk.finish(is_convex(corners, telling(walk)));
   return board.finish();
 }
 
 Story tell_centroid(const Demonstration& demonstration) {
   const std::vector<Vec2d> corners = outline_of(demonstration);
-  Storyboard board(demonstration.pace);
-  board.pane("");
-  board.heading("Centroid by triangulation");
-  keep_outline(board, corners, "V");
-  board.step("A fan of triangles from $V_1$. Each has a signed area $S_i$ and a centre $C_i$.", 3);
+  Storyboard board = begun(demonstration, corners, "V", "Centroid by triangulation",
+                           "A fan of triangles from $V_1$. Each has a signed area $S_i$ and a centre $C_i$.");
   Centroid sum(board);
-  sum.finish(centroid_of(corners, Observer([&](const Event& event) {
-                           if (const auto* triangle = std::get_if<TriangleAdded>(&event)) sum.tell(*triangle);
-                         })));
+  sum.finish(centroid_of(corners, telling(sum)));
   return board.finish();
 }
 

@@ -36,12 +36,19 @@ class Axes {
     board_.step("Do A and B overlap? If not, some edge normal separates them: try the normal of every edge.", 3);
   }
 
-  void tell(const Event& event) {
-    if (const auto* tested = std::get_if<AxisTested>(&event)) tell(*tested);
-    if (const auto* chosen = std::get_if<AxisChosen>(&event)) {
-      const auto is_chosen = [&](const AxisTested& t) { return t.of_a == chosen->of_a && t.axis == chosen->axis; };
-      least_ = static_cast<std::size_t>(std::find_if(tested_.begin(), tested_.end(), is_chosen) - tested_.begin());
-    }
+  void tell(const AxisTested& axis) {
+    tested_.push_back(axis);
+    const std::size_t current = tested_.size() - 1;
+    if (axis.separation > tested_[least_].separation) least_ = current;
+    show_axis(axis, current);
+    show_edge(axis);
+    show_overlaps(current);
+    board_.step(caption(axis, current));
+  }
+
+  void tell(const AxisChosen& chosen) {
+    const auto is_chosen = [&](const AxisTested& t) { return t.of_a == chosen.of_a && t.axis == chosen.axis; };
+    least_ = static_cast<std::size_t>(std::find_if(tested_.begin(), tested_.end(), is_chosen) - tested_.begin());
   }
 
   Story finish(const Manifold& manifold) {
@@ -64,16 +71,6 @@ class Axes {
   }
 
  private:
-  void tell(const AxisTested& axis) {
-    tested_.push_back(axis);
-    const std::size_t current = tested_.size() - 1;
-    if (axis.separation > tested_[least_].separation) least_ = current;
-    show_axis(axis, current);
-    show_edge(axis);
-    show_overlaps(current);
-    board_.step(caption(axis, current));
-  }
-
   std::string caption(const AxisTested& axis, std::size_t current) const {
     const auto range = [](const std::array<double, 2>& i) { return filled("[%, %]", {figure(i[0]), figure(i[1])}); };
     const std::string covered =
@@ -180,9 +177,8 @@ class Axes {
 Story tell_separating_axes(const Demonstration& demonstration) {
   Axes axes(demonstration);
   axes.begin();
-  const Manifold manifold = collide(hull_of(demonstration.shapes[0]), Pose{}, hull_of(demonstration.shapes[1]), Pose{},
-                                    0, Observer([&](const Event& event) { axes.tell(event); }));
-  return axes.finish(manifold);
+  return axes.finish(
+      collide(hull_of(demonstration.shapes[0]), Pose{}, hull_of(demonstration.shapes[1]), Pose{}, 0, telling(axes)));
 }
 
 }  // namespace proofreel

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <charconv>
 
+#include "engine/pose.h"
+
 namespace proofreel {
 namespace {
 
@@ -101,7 +103,9 @@ Story Storyboard::finish() {
       bounds = merged(bounds, expanded(bounds_of(mark.points), mark.radius));
     }
   }
-  for (Pane& pane : story_.panes) pane.bounds = with_area(pane.bounds);
+  Aabbd world;
+  for (const Pane& pane : story_.panes) world = pane.diagram ? world : merged(world, pane.bounds);
+  for (Pane& pane : story_.panes) pane.bounds = with_area(shares_bounds_ && !pane.diagram ? world : pane.bounds);
   return std::move(story_);
 }
 
@@ -136,6 +140,14 @@ std::string filled(std::string_view pattern, std::initializer_list<std::string> 
 }
 
 std::string letter(std::size_t index) { return std::string(1, static_cast<char>('A' + static_cast<int>(index % 26))); }
+
+DemonstrationShape turned(DemonstrationShape shape, Vec2d about, double angle) {
+  const Posed pose{about, Rotd(angle)};
+  for (std::vector<Vec2d>& part : shape.parts) {
+    for (Vec2d& p : part) p = to_world(pose, p - about);
+  }
+  return shape;
+}
 
 Vec2d middle_of(const std::vector<Vec2d>& points) {
   Vec2d sum;

@@ -5,8 +5,10 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "engine/observer.h"
 #include "scenarios/demonstration.h"
 
 namespace proofreel {
@@ -35,12 +37,23 @@ class Storyboard {
   explicit Storyboard(double pace) : pace_(pace) {}
 
   int pane(std::string title, double share = 1, bool diagram = false);
+  /// From now on all panes in metres show the same part of the world.
+  void share_bounds() { shares_bounds_ = true; }
   void heading(std::string text) { heading_ = std::move(text); }
   void counters(std::vector<Counter> counters) { counters_ = std::move(counters); }
   void keep(StoryMark mark) { kept_.push_back(std::move(mark)); }
   void show(StoryMark mark) { shown_.push_back(std::move(mark)); }
   /// Ends the step, which is shown `paces` times as long as a usual one.
   void step(std::string caption, double paces = 1);
+  /// A motion: many short steps that run into each other. show(part) shows how it has come `part` of the way, up to 1;
+  /// what moves needs a key.
+  template <typename Show>
+  void glide(const std::string& caption, double paces, int steps, Show show) {
+    for (int i = 1; i <= steps; ++i) {
+      show(static_cast<double>(i) / steps);
+      step(caption, paces / steps);
+    }
+  }
   /// The story so far, every pane as large as what it ever shows.
   Story finish();
 
@@ -50,8 +63,21 @@ class Storyboard {
   std::vector<Counter> counters_;
   std::vector<StoryMark> kept_;
   std::vector<StoryMark> shown_;
+  bool shares_bounds_ = false;
   Story story_;
 };
+
+/// Hands on to teller.tell(event) every event of an algorithm that it has words for.
+template <typename Teller>
+Observer telling(Teller& teller) {
+  return Observer([&teller](const Event& event) {
+    std::visit(
+        [&teller](const auto& e) {
+          if constexpr (requires { teller.tell(e); }) teller.tell(e);
+        },
+        event);
+  });
+}
 
 /// All parts of a shape, outlined as one when there are several; `group` tells them from other shapes.
 std::vector<StoryMark> shape_marks(Role role, const DemonstrationShape& shape, int group);
@@ -66,6 +92,8 @@ std::string filled(std::string_view pattern, std::initializer_list<std::string> 
 /// A, B, ... Z.
 std::string letter(std::size_t index);
 
+/// The shape turned about a point by `angle` radians.
+DemonstrationShape turned(DemonstrationShape shape, Vec2d about, double angle);
 Vec2d middle_of(const std::vector<Vec2d>& points);
 /// The unit vector from `from` to `to`, or up where they are the same.
 Vec2d towards(Vec2d from, Vec2d to);

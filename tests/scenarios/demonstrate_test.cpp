@@ -56,6 +56,19 @@ TEST_CASE("Concave shapes and circles go into a tree") {
   CHECK(scenario->stories.size() == 1);
 }
 
+TEST_CASE("Densities and coefficients of friction of its shapes count in a demonstration") {
+  const auto hash_with = [](const std::string& algorithm, const std::string& key) {
+    const std::string box = "box{width=2, height=0.5, friction={static=0.5, kinetic=0.3}, " + key + "}";
+    const std::string other = algorithm == "friction_cone" ? "" : ", box{at={3, 0}, width=1, height=1}";
+    const auto scenario =
+        load_text("scenario{}\ndemonstrate{algorithm='" + algorithm + "', shapes={" + box + other + "}}");
+    return hash_of(scenario->stories);
+  };
+  CHECK(hash_with("center_of_mass", "density=1") == hash_with("center_of_mass", ""));
+  CHECK(hash_with("center_of_mass", "density=3") != hash_with("center_of_mass", ""));
+  CHECK(hash_with("friction_cone", "friction={static=0.6, kinetic=0.3}") != hash_with("friction_cone", ""));
+}
+
 TEST_CASE("A demonstration that cannot be made is refused with the line and what is taken") {
   const auto [call, problem] = GENERATE(table<std::string, std::string>({
       {"{}", "demonstrate needs algorithm="},
@@ -90,6 +103,21 @@ TEST_CASE("A demonstration that cannot be made is refused with the line and what
       {"{algorithm='circle_contact', shapes={box{width=1, height=1}, circle{radius=1}}}",
        "takes a circle, and then a circle or"},
       {"{algorithm='bounding_volumes', shapes={circle{radius=1}}}", "takes a polygon, convex or concave"},
+      {"{algorithm='centroid', points={{0, 0}, {2, 0}, {0, 2}}, angle=1}",
+       "centroid takes no scale={x, y}, angle= and"},
+      {"{algorithm='transforms', shapes={box{width=1, height=1}}}", "transforms takes scale={x, y}, angle= and at="},
+      {"{algorithm='transforms', shapes={box{width=1, height=1}}, scale={0/0, 1}}", "scale must"},
+      {"{algorithm='transforms', shapes={box{width=1, height=1}}, at={1e10, 0}}", "at must"},
+      {"{algorithm='transforms', shapes={box{width=1, height=1}}, scale={1, 0}}", "scales between 0.01 and 100"},
+      {"{algorithm='dot_product', points={{1, 0}, {0, 0}, {1, 1}}}", "none of them {0, 0}: change point 2"},
+      {"{algorithm='cross_product', points={{1, 0}, {0, 0/0}, {1, 1}}}", "point 2 does not"},
+      {"{algorithm='gjk_line', shapes={segment{a={0, 1}, b={1, 1}}, segment{a={0, 0}, b={1, 0}}}}",
+       "takes two intervals of the x axis"},
+      {"{algorithm='center_of_mass', shapes={circle{radius=1}}}", "center_of_mass takes 2 to 6 shapes, got 1"},
+      {"{algorithm='friction_cone', shapes={box{width=1, height=0.4}}}",
+       "friction={static=, kinetic=} between 0.2 and 1"},
+      {"{algorithm='sequential_impulses', shapes={box{width=1, height=1}, box{at={3, 3}, width=1, height=1}}}",
+       "shape 2 touches nothing"},
       {"{algorithm='centroid', points={{0, 0}, {2, 0}, {0, 2}}, pace=0}", "pace must be a positive number"},
       {"{algorithm='centroid', points={{0, 0}, {2, 0}, {0, 2}}, pace=100}", "pace must not be larger than 60"},
   }));

@@ -40,13 +40,13 @@ DemonstrationShape polygon_of(const Points& points) { return {{points}, 0}; }
 DemonstrationShape circle_of(Vec2d center, double radius) { return {{{center}}, radius}; }
 
 Story told(Algorithm algorithm, const Points& points) {
-  const Demonstration asked{algorithm, points, {}, 1};
+  const Demonstration asked{algorithm, points, {}, 1, {}};
   REQUIRE_FALSE(problem_with(asked));
   return story_of(asked);
 }
 
 Story told(Algorithm algorithm, const std::vector<DemonstrationShape>& shapes) {
-  const Demonstration asked{algorithm, {}, shapes, 1};
+  const Demonstration asked{algorithm, {}, shapes, 1, {}};
   REQUIRE_FALSE(problem_with(asked));
   return story_of(asked);
 }
@@ -108,6 +108,8 @@ DynamicTree tree_of(const std::vector<DemonstrationShape>& shapes, Watching obse
 /// One of every algorithm.
 std::vector<Story> all_stories() {
   Dice dice;
+  DemonstrationShape block = polygon_of({{-1, 0}, {1, 0}, {1, 0.5}, {-1, 0.5}});
+  block.friction = {0.6, 0.4};
   return {told(Algorithm::gift_wrapping, dice.points(9)),
           told(Algorithm::separating_axes, {polygon_of(square), polygon_of(triangle)}),
           told(Algorithm::gjk_epa, {polygon_of(square), polygon_of(triangle)}),
@@ -119,7 +121,16 @@ std::vector<Story> all_stories() {
           told(Algorithm::centroid, square),
           told(Algorithm::circle_contact, {circle_of({0, 0}, 1), circle_of({1, 1}, 1)}),
           told(Algorithm::circle_contact, {circle_of({0, 0}, 1), polygon_of(triangle)}),
-          told(Algorithm::bounding_volumes, {polygon_of(triangle)})};
+          told(Algorithm::bounding_volumes, {polygon_of(triangle)}),
+          told(Algorithm::dot_product, triangle),
+          told(Algorithm::cross_product, triangle),
+          story_of({Algorithm::transforms, {}, {polygon_of(square)}, 1, Placing{{2, 0.5}, 1, {3, 1}}}),
+          story_of({Algorithm::transform_order, {}, {polygon_of(square)}, 1, Placing{{2, 0.5}, 1, {3, 1}}}),
+          told(Algorithm::gjk_line, {polygon_of({{0, 0}, {1, 0}}), polygon_of({{2, 0}, {4, 0}})}),
+          told(Algorithm::center_of_mass, {polygon_of(square), circle_of({3, 0}, 1)}),
+          told(Algorithm::moment_of_inertia, {polygon_of(square), circle_of({3, 0}, 1)}),
+          told(Algorithm::friction_cone, {block}),
+          told(Algorithm::sequential_impulses, {polygon_of(square), polygon_of({{-1, 1}, {1, 1}, {0, 2}})})};
 }
 
 }  // namespace
@@ -381,8 +392,8 @@ TEST_CASE("Shapes on a lattice, which touch, coincide and lie in line, can be de
   for (int round = 0; round < 400; ++round) {
     const Points a = convex_hull(lattice_points(6)), b = convex_hull(lattice_points(6));
     for (int i = 0; i < algorithm_count; ++i) {
-      Demonstration asked{static_cast<Algorithm>(i), a, {}, 1};
-      if (problem_with(asked)) asked = {asked.algorithm, {}, {polygon_of(a), polygon_of(b)}, 1};
+      Demonstration asked{static_cast<Algorithm>(i), a, {}, 1, {}};
+      if (problem_with(asked)) asked = {asked.algorithm, {}, {polygon_of(a), polygon_of(b)}, 1, {}};
       if (problem_with(asked)) asked.shapes = {circle_of(b.front(), 1), polygon_of(a)};
       if (problem_with(asked)) continue;
       ++told_of;
@@ -428,6 +439,25 @@ TEST_CASE("What moves is half way when a step has settled half, and so do the wo
   };
   CHECK(dots(view_of(stories, first.seconds + 0.1)) > 0);
   CHECK(dots(view_of(stories, first.seconds + 0.4)) == 0);
+}
+
+TEST_CASE("Marks of one key in two panes move each within its own") {
+  Story story;
+  story.panes.resize(2);
+  story.steps.resize(2);
+  for (int step = 0; step < 2; ++step) {
+    for (int pane = 0; pane < 2; ++pane) {
+      StoryMark mark;
+      mark.key = "same";
+      mark.pane = pane;
+      mark.points = {{10.0 * pane + step, 0}};
+      story.steps[static_cast<std::size_t>(step)].marks.push_back(mark);
+    }
+  }
+  const DemonstrationView view = view_of({story}, 1.175);  // half of the 0.35 s in which marks settle
+  REQUIRE(view.marks.size() == 2);
+  CHECK(view.marks[0].points[0].x == Approx(0.5));
+  CHECK(view.marks[1].points[0].x == Approx(10.5));
 }
 
 TEST_CASE("The same demonstration has the same hash, another one another") {
