@@ -26,7 +26,8 @@ void print(const Scenario& scenario) {
   const std::size_t panes = 1 + scenario.other_panes.size();
   const std::string split = panes > 1 ? ", " + std::to_string(panes) + " panes" : "";
   std::printf("%-24s %6g s %5zu bodies  %s  (%s%s)\n", scenario.id.c_str(), scenario.duration,
-              scenario.scene.bodies.size(), scenario.title.c_str(), effects_text(scenario.scene).c_str(), split.c_str());
+              scenario.scene.bodies.size(), scenario.title.c_str(), effects_text(scenario.scene).c_str(),
+              split.c_str());
 }
 
 int list(const Options& options) {

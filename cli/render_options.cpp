@@ -94,4 +94,26 @@ Theme parse_theme(const std::string& text) {
   throw UsageError("There is no theme \"" + text + "\"; there are light, dark and print.");
 }
 
+double parse_card_seconds(const std::string& text) {
+  constexpr double longest = 60;
+  double seconds = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, seconds);
+  if (error == std::errc() && stop == end && seconds > 0 && seconds <= longest) return seconds;
+  throw UsageError("--title-card takes seconds, more than 0 and up to 60, such as --title-card=2.5, not \"" + text +
+                   "\".");
+}
+
+std::optional<SheetGrid> parse_sheet_grid(const std::string& text) {
+  constexpr std::int64_t most = 100;
+  if (text == "auto") return std::nullopt;
+  const std::size_t x = text.find('x');
+  const std::optional<std::int64_t> columns = parse_number(text.substr(0, x));
+  const std::optional<std::int64_t> rows = x == std::string::npos ? std::nullopt : parse_number(text.substr(x + 1));
+  const auto fits = [](std::optional<std::int64_t> side) { return side && *side >= 1 && *side <= most; };
+  if (fits(columns) && fits(rows)) return SheetGrid{static_cast<int>(*columns), static_cast<int>(*rows)};
+  throw UsageError("--contact-sheet takes COLUMNSxROWS, from 1x1 to 100x100, such as --contact-sheet=4x3, not \"" +
+                   text + "\".");
+}
+
 }  // namespace proofreel

@@ -55,6 +55,21 @@ std::vector<const char*> files_of(Algorithm algorithm) {
       return {"dynamic_tree.h", "broad_phase.h"};
     case Algorithm::bounding_volumes:
       return {"aabb.h", "polygon.h"};
+    case Algorithm::dot_product:
+      return {"vec2.h"};
+    case Algorithm::cross_product:
+      return {"vec2.h", "predicates.h"};
+    case Algorithm::transforms:
+    case Algorithm::transform_order:
+      return {"transform.h"};
+    case Algorithm::gjk_line:
+      return {"gjk.h"};
+    case Algorithm::center_of_mass:
+    case Algorithm::moment_of_inertia:
+      return {"mass.h"};
+    case Algorithm::friction_cone:
+    case Algorithm::sequential_impulses:
+      return {"contact_solver.h"};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -93,6 +94,7 @@ struct Canvas::Impl {
   FontAtlas atlas;
   BatchList batches;
   Color background{0, 0, 0, 255};
+  const Image* behind = nullptr;  ///< in place of the colour
   DrawMode mode = DrawMode::colors;
   std::uint32_t owner = 0;
 
@@ -340,8 +342,15 @@ void Canvas::clear(Color background) {
   leave();
   impl_->batches.clear();
   impl_->background = background;
+  impl_->behind = nullptr;
   impl_->mode = DrawMode::colors;
   if (SvgWriter* svg = impl_->svg()) svg->clear(background);
+}
+
+void Canvas::clear(const Image& background) {
+  assert(background.width_px == width_px() && background.height_px == height_px());
+  clear(Color{0, 0, 0, 255});
+  impl_->behind = &background;
 }
 
 void Canvas::clear_for_owners() {
@@ -457,7 +466,9 @@ double Canvas::text_width(std::string_view utf8, int size_px) {
 }
 
 void Canvas::finish(Image& image) {
-  impl_->gpu.value().draw(impl_->mode, impl_->background, impl_->batches.batches(), impl_->atlas, image);
+  impl_->gpu->clear(impl_->background);
+  if (impl_->behind != nullptr) impl_->gpu->put(*impl_->behind);
+  impl_->gpu->draw(impl_->mode, impl_->batches.batches(), impl_->atlas, image);
 }
 
 std::string Canvas::svg() const { return impl_->writer.document(); }

@@ -56,6 +56,9 @@ class Canvas {
   void leave();
 
   void clear(Color background);
+  /// Begins with a picture of the canvas' size, which is looked at by `finish`, and must live until then: what is drawn
+  /// lies on it as if all of it had been drawn in one go.
+  void clear(const Image& background);
   /// Starts a picture of owners instead: every pixel that a mark colours, however faintly, becomes the number of the
   /// mark's owner (red is the lowest byte), that of the topmost; the rest 0. Without smoothing or blending.
   void clear_for_owners();

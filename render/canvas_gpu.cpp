@@ -78,11 +78,35 @@ CanvasGpu::~CanvasGpu() {
   gl_.DeleteTextures(1, &atlas_);
 }
 
-void CanvasGpu::draw(DrawMode mode, Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
+void CanvasGpu::clear(Color background) {
   context_.make_current();
   target_.bind();
   gl_.ClearColor(part(background.r), part(background.g), part(background.b), part(background.a));
   gl_.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+/// By way of a texture, because what is drawn into is none.
+void CanvasGpu::put(const Image& background) {
+  context_.make_current();
+  GLuint texture = 0, source = 0;
+  gl_.GenTextures(1, &texture);
+  gl_.BindTexture(GL_TEXTURE_2D, texture);
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 background.rgba.data());
+  gl_.GenFramebuffers(1, &source);
+  target_.bind();
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, source);
+  gl_.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  gl_.BlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  target_.bind();
+  gl_.DeleteFramebuffers(1, &source);
+  gl_.DeleteTextures(1, &texture);
+}
+
+void CanvasGpu::draw(DrawMode mode, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
+  context_.make_current();
+  target_.bind();
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, mode == DrawMode::colors ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
   upload(batches);

@@ -21,8 +21,11 @@ class CanvasGpu {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
-  /// Draws the batches over the background and reads the result.
-  void draw(DrawMode mode, Color background, std::span<const Batch> batches, FontAtlas& atlas, Image& image);
+  void clear(Color background);
+  /// Replaces all pixels by those of an image of the same size.
+  void put(const Image& background);
+  /// Draws the batches over what is there and reads the result.
+  void draw(DrawMode mode, std::span<const Batch> batches, FontAtlas& atlas, Image& image);
 
  private:
   void upload(std::span<const Batch> batches);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/draw_layers.h"
+#include "render/framing.h"
 
 namespace proofreel {
 namespace {
@@ -15,6 +16,28 @@ void make_straight(Image& image) {
     for (std::size_t c = i; c < i + 3; ++c)
       image.rgba[c] = static_cast<std::uint8_t>(std::min(255, (image.rgba[c] * 255 + alpha / 2) / alpha));
   }
+}
+
+Stage stage_of(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
+  const Sizes sizes = sizes_of(canvas.width_px(), canvas.height_px());
+  const Framing framing = framing_of(canvas, frame, sizes);
+  return {canvas, frame, palette_of(style.theme), framing.camera, sizes, framing.plots, marks};
+}
+
+void draw_world_layers(const Stage& stage) {
+  if (stage.frame.demonstration) return draw_demonstration(stage);
+  if (!stage.frame.other_panes.empty()) return draw_split_scenes(stage);
+  draw_scene(stage);
+}
+
+void draw_written_layers(const Stage& stage) {
+  if (!stage.frame.other_panes.empty()) return draw_split_notes(stage);
+  Cards cards(stage.safe_area());
+  if (stage.frame.demonstration) return draw_captions(stage, cards);
+  for (const Aabbd& place : stage.plot_places) cards.take(place);
+  if (stage.frame.shows(Layer::clock)) draw_clock(stage, cards);
+  draw_captions(stage, cards);
+  draw_notes(stage, cards);
 }
 
 }  // namespace
@@ -34,18 +57,21 @@ std::string svg_of(const Frame& frame, const Style& style, Size size) {
 }
 
 void draw_layers(Canvas& canvas, const Frame& frame, const Style& style, std::vector<Owner>* marks) {
-  const Camera camera(frame.view, canvas.width_px(), canvas.height_px());
-  const Stage stage{canvas, frame, palette_of(style.theme), camera, sizes_of(canvas.height_px()), marks};
-  if (!frame.other_panes.empty()) return draw_split(stage);
-  Cards cards(stage.safe_area());
-  if (frame.demonstration) {
-    draw_demonstration(stage);
-    return draw_captions(stage, cards);
-  }
-  draw_scene(stage);
-  if (frame.shows(Layer::clock)) draw_clock(stage, cards);
-  draw_captions(stage, cards);
-  draw_notes(stage, cards);
+  const Stage stage = stage_of(canvas, frame, style, marks);
+  draw_world_layers(stage);
+  draw_written_layers(stage);
+}
+
+void draw_world(Canvas& canvas, const Frame& frame, const Style& style, Image& image) {
+  canvas.clear(palette_of(style.theme).background);
+  draw_world_layers(stage_of(canvas, frame, style, nullptr));
+  canvas.finish(image);
+}
+
+void draw_written(Canvas& canvas, const Frame& frame, const Style& style, const Image& world, Image& image) {
+  canvas.clear(world);
+  draw_written_layers(stage_of(canvas, frame, style, nullptr));
+  canvas.finish(image);
 }
 
 void draw_scene(const Stage& stage) {

@@ -21,4 +21,9 @@ void draw_frame(Canvas& canvas, const Frame& frame, const Style& style, Image& i
 /// The same frame as an SVG document, as large on the page as in pixels.
 std::string svg_of(const Frame& frame, const Style& style, Size size);
 
+/// The same in two goes, for pictures whose world is the mean of several: what moves alone, and then what is written,
+/// on a picture of the world, opaque and of the canvas' size. The two give what draw_frame gives, byte for byte.
+void draw_world(Canvas& canvas, const Frame& frame, const Style& style, Image& image);
+void draw_written(Canvas& canvas, const Frame& frame, const Style& style, const Image& world, Image& image);
+
 }  // namespace proofreel

@@ -10,7 +10,8 @@
 namespace proofreel {
 namespace {
 
-constexpr int caption_lines = 2;
+/// Upright pictures break captions sooner and have the room for it.
+int caption_lines(const Vec2d& size) { return size.x < size.y ? 3 : 2; }
 
 /// How the picture is divided, from the top down; px.
 struct Page {
@@ -22,7 +23,7 @@ struct Page {
 Page page_of(const Stage& stage) {
   const Aabbd safe = stage.safe_area();
   const double head = 1.3 * stage.sizes.title;
-  const double band = (caption_lines * line_height + 0.8) * stage.sizes.text;
+  const double band = (caption_lines(stage.picture().upper) * line_height + 0.8) * stage.sizes.text;
   const double gap = 0.5 * stage.sizes.text;
   Page page{safe, safe, safe};
   page.head.upper.y = safe.lower.y + head;
@@ -77,6 +78,49 @@ void draw_caption_band(const Stage& stage, const std::string& caption, const Aab
              stage.palette.ink);
 }
 
+/// The room for labels around the marks of a pane, and for its title above them; px.
+struct Surrounding {
+  Vec2d sides;
+  double title = 0;
+};
+
+Surrounding surrounding_of(const Stage& stage, const Pane& pane) {
+  const double size = stage.sizes.small;
+  const Vec2d sides = pane.diagram ? Vec2d{1.6 * size, 1.2 * size} : Vec2d{2.2 * size, 1.8 * stage.sizes.text};
+  return {sides, pane.title.empty() ? 0 : 1.6 * size};
+}
+
+/// Where marks may lie: inside the title and room for labels.
+Aabbd inner_area(const Stage& stage, const Pane& pane, const Aabbd& area) {
+  const Surrounding around = surrounding_of(stage, pane);
+  return {area.lower + Vec2d{0, around.title} + around.sides, area.upper - around.sides};
+}
+
+/// The height in which a pane in metres fills this width: more would be empty. Diagrams take any.
+double useful_height(const Stage& stage, const Pane& pane, double width) {
+  const Surrounding around = surrounding_of(stage, pane);
+  const Vec2d size = pane.bounds.upper - pane.bounds.lower;
+  return (width - 2 * around.sides.x) * size.y / size.x + 2 * around.sides.y + around.title;
+}
+
+/// The panes' heights below each other: by their shares, but what one in metres cannot use is left to the diagrams.
+std::vector<double> heights_of(const Stage& stage, const std::vector<Pane>& panes, Vec2d room, double shares) {
+  double diagrams = 0;
+  for (const Pane& pane : panes) diagrams += pane.diagram ? pane.share : 0;
+  std::vector<double> heights;
+  double spare = 0;
+  for (const Pane& pane : panes) {
+    const double height = room.y * pane.share / shares;
+    const bool capped = diagrams > 0 && !pane.diagram;
+    heights.push_back(capped ? std::min(height, useful_height(stage, pane, room.x)) : height);
+    spare += height - heights.back();
+  }
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    if (panes[i].diagram) heights[i] += spare * panes[i].share / diagrams;
+  }
+  return heights;
+}
+
 /// Side by side, or below each other where the picture is upright.
 std::vector<Aabbd> areas_of(const Stage& stage, const std::vector<Pane>& panes, const Aabbd& whole) {
   const Vec2d size = whole.upper - whole.lower;
@@ -85,24 +129,17 @@ std::vector<Aabbd> areas_of(const Stage& stage, const std::vector<Pane>& panes, 
   double shares = 0;
   for (const Pane& pane : panes) shares += pane.share;
   const double room = (beside ? size.x : size.y) - gap * static_cast<double>(panes.size() - 1);
+  std::vector<double> heights;
+  if (!beside) heights = heights_of(stage, panes, {size.x, room}, shares);
   std::vector<Aabbd> areas;
   double at = beside ? whole.lower.x : whole.lower.y;
-  for (const Pane& pane : panes) {
-    const double long_side = room * pane.share / shares;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const double long_side = beside ? room * panes[i].share / shares : heights[i];
     areas.push_back(beside ? Aabbd{{at, whole.lower.y}, {at + long_side, whole.upper.y}}
                            : Aabbd{{whole.lower.x, at}, {whole.upper.x, at + long_side}});
     at += long_side + gap;
   }
   return areas;
-}
-
-/// Where marks may lie: inside the title and room for labels.
-Aabbd inner_area(const Stage& stage, const Pane& pane, const Aabbd& area) {
-  const double size = stage.sizes.small;
-  Aabbd inner = area;
-  if (!pane.title.empty()) inner.lower.y += 1.6 * size;
-  const Vec2d room = pane.diagram ? Vec2d{1.6 * size, 1.2 * size} : Vec2d{2.2 * size, 1.8 * stage.sizes.text};
-  return {inner.lower + room, inner.upper - room};
 }
 
 Vec2d scale_of(const Pane& pane, const Aabbd& inner) {
@@ -150,10 +187,7 @@ void draw_divider(const Stage& stage, const Aabbd& before, const Aabbd& after) {
 
 }  // namespace
 
-void draw_demonstration(const Stage& whole) {
-  const Vec2d size = whole.picture().upper;
-  Stage stage = whole;  // letters follow the width where the picture is upright
-  stage.sizes = sizes_of(static_cast<int>(std::min(size.y, 0.75 * size.x)));
+void draw_demonstration(const Stage& stage) {
   const DemonstrationView& view = *stage.frame.demonstration;
   const Page page = page_of(stage);
   stage.own(OwnerKind::caption, view.heading);

@@ -24,6 +24,7 @@ struct Stage {
   const Palette& palette;
   Camera camera;
   Sizes sizes;
+  std::vector<Aabbd> plot_places;       ///< px; empty where plots lie in their corners
   std::vector<Owner>* marks = nullptr;  ///< by number; null when nobody asks whose pixels are
   std::uint32_t first_body = 0;         ///< added to the ids of owners: tells the panes of a split screen apart
 
@@ -71,8 +72,10 @@ class Cards {
 void draw_scene(const Stage& stage);
 /// What is written on them: plots, numbers of the grid, labels.
 void draw_notes(const Stage& stage, Cards& cards);
-/// A split screen: titled panes, each with its scene, and the captions of the first on a band of their own.
-void draw_split(const Stage& stage);
+/// A split screen: titled panes, each with its scene; and what is written, the captions of the first pane on bands of
+/// their own.
+void draw_split_scenes(const Stage& stage);
+void draw_split_notes(const Stage& stage);
 
 void draw_grid(const Stage& stage);
 /// Only where nothing else is written.
@@ -113,7 +116,11 @@ void draw_trails(const Stage& stage);
 void draw_vectors(const Stage& stage);
 void draw_clock(const Stage& stage, Cards& cards);
 void draw_captions(const Stage& stage, Cards& cards);
+/// Throws ScenarioError, with the place of the caption in its file, when one is too long for a picture of this size.
+void require_room(Canvas& canvas, const std::vector<CaptionView>& captions);
 void draw_plots(const Stage& stage, Cards& cards);
+/// How high the card of a plot has to be that is so wide; px.
+double least_plot_height(Canvas& canvas, const Sizes& sizes, const PlotView& plot, double width);
 void draw_labels(const Stage& stage, Cards& cards);
 /// A lecture film's step: heading and counters, panes, caption. It fills the picture.
 void draw_demonstration(const Stage& stage);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "render/draw_layers.h"
 #include "render/draw_text.h"
@@ -58,12 +60,12 @@ struct LegendEntry {
 };
 
 /// Names side by side, in as many rows as they need.
-std::vector<LegendEntry> legend_of(const Stage& stage, const PlotView& plot, int size, double width, int& rows) {
+std::vector<LegendEntry> legend_of(Canvas& canvas, const PlotView& plot, int size, double width, int& rows) {
   std::vector<LegendEntry> entries;
   double x = 0;
   rows = plot.curves.empty() ? 0 : 1;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    const double needed = 1.6 * size + stage.canvas.text_width(plot.curves[i], size);
+    const double needed = 1.6 * size + canvas.text_width(plot.curves[i], size);
     if (x > 0 && x + needed > width) {
       x = 0;
       ++rows;
@@ -94,30 +96,85 @@ Color curve_color(const Stage& stage, std::size_t curve) {
   return stage.palette.curves[curve % stage.palette.curves.size()];
 }
 
-Chart chart_of(const Stage& stage, Cards& cards, const PlotView& plot, std::vector<LegendEntry>& legend) {
+/// What of a card of that width lies above, in and below the area of its curves; px.
+struct CardHeights {
+  std::vector<LegendEntry> legend;
+  double head = 0;
+  double least_area = 0;
+  double foot = 0;
+};
+
+double padding_of(double size) { return 0.7 * size; }
+
+CardHeights heights_of(Canvas& canvas, const PlotView& plot, int size_px, double width) {
+  const double size = size_px;
+  const double padding = padding_of(size);
+  int rows = 0;
+  CardHeights heights;
+  heights.legend = legend_of(canvas, plot, size_px, width - 2 * padding, rows);
+  const double title = plot.title.empty() && plot.unit.empty() ? 0 : line_height * size;
+  heights.head = padding + title + rows * line_height * size + 0.5 * size;
+  heights.least_area = (plot.is_portrait() ? 9 : 6) * size;
+  heights.foot = padding + (plot.is_portrait() ? 2.7 : 1.5) * size;
+  return heights;
+}
+
+/// Its card, whose place is given or is found in its corner.
+Chart chart_of(const Stage& stage, Cards& cards, std::size_t index, std::vector<LegendEntry>& legend) {
   constexpr int most_value_ticks = 4;
   constexpr int most_across_ticks = 6;
+  const PlotView& plot = stage.frame.plots[index];
+  const bool placed = index < stage.plot_places.size();
   Chart chart;
   chart.plot = &plot;
   chart.size = stage.sizes.small;
   const double size = chart.size;
-  const double padding = 0.7 * size;
-  const double width = 21 * size;
+  const double padding = padding_of(size);
+  const double width = placed ? stage.plot_places[index].upper.x - stage.plot_places[index].lower.x : 21 * size;
   chart.across = across_range(plot, most_across_ticks - 1);
   chart.values = value_range(plot, most_value_ticks);
   chart.across_ticks = ticks_in(chart.across.low, chart.across.high, most_across_ticks);
   chart.value_ticks = ticks_in(chart.values.low, chart.values.high, most_value_ticks + 1);
-  int rows = 0;
-  legend = legend_of(stage, plot, chart.size, width - 2 * padding, rows);
-  const double title = plot.title.empty() && plot.unit.empty() ? 0 : line_height * size;
-  const double head = padding + title + rows * line_height * size + 0.5 * size;
-  const double foot = padding + (plot.is_portrait() ? 2.7 : 1.5) * size;
-  const double curves = (plot.is_portrait() ? 9 : 6) * size;
-  chart.card = cards.place({width, head + curves + foot}, plot.at);
+  CardHeights heights = heights_of(stage.canvas, plot, chart.size, width);
+  legend = std::move(heights.legend);
+  chart.card = placed ? stage.plot_places[index]
+                      : cards.place({width, heights.head + heights.least_area + heights.foot}, plot.at);
   const double numbers = widest_number(stage, chart);
-  chart.area = {{std::ceil(chart.card.lower.x + padding + numbers + 0.5 * size), std::ceil(chart.card.lower.y + head)},
-                {std::floor(chart.card.upper.x - padding - 1.2 * size), std::floor(chart.card.upper.y - foot)}};
+  chart.area = {
+      {std::ceil(chart.card.lower.x + padding + numbers + 0.5 * size), std::ceil(chart.card.lower.y + heights.head)},
+      {std::floor(chart.card.upper.x - padding - 1.2 * size), std::floor(chart.card.upper.y - heights.foot)}};
   return chart;
+}
+
+/// Dashes and gaps in turns, in em. Where there are no colours curves are told apart by these.
+std::span<const double> dashes_of(const Stage& stage, std::size_t curve) {
+  static constexpr std::array<double, 2> dashed{0.4, 0.36}, dotted{0.02, 0.3};
+  static constexpr std::array<double, 4> mixed{0.4, 0.34, 0.02, 0.34};
+  static constexpr std::array<std::span<const double>, 4> patterns{std::span<const double>{}, dashed, dotted, mixed};
+  return stage.palette.gray ? patterns[curve % patterns.size()] : patterns[0];
+}
+
+void draw_pattern(const Stage& stage, const std::vector<Vec2d>& points, std::size_t curve, double width, int size) {
+  const Color color = curve_color(stage, curve);
+  const std::span<const double> dashes = dashes_of(stage, curve);
+  if (dashes.empty() || points.size() < 2) return stage.canvas.stroke(points, width, color, color);
+  std::size_t part = 0;
+  double left = dashes[0] * size;  // of this dash or gap
+  std::vector<Vec2d> dash{points[0]};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Vec2d at = points[i - 1];
+    for (double reach = distance(at, points[i]); reach >= left; reach = distance(at, points[i])) {
+      at = at + left * normalized(points[i] - at);
+      dash.push_back(at);
+      if (part % 2 == 0) stage.canvas.stroke(dash, width, color, color);
+      dash = {at};
+      part = (part + 1) % dashes.size();
+      left = dashes[part] * size;
+    }
+    left -= distance(at, points[i]);
+    dash.push_back(points[i]);
+  }
+  if (part % 2 == 0) stage.canvas.stroke(dash, width, color, color);
 }
 
 void draw_head(const Stage& stage, const Chart& chart, const std::vector<LegendEntry>& legend) {
@@ -130,8 +187,13 @@ void draw_head(const Stage& stage, const Chart& chart, const std::vector<LegendE
   }
   for (const LegendEntry& entry : legend) {
     const Vec2d from = at + entry.at - Vec2d{0, 0.36 * chart.size};
-    const Color color = curve_color(stage, entry.curve);
-    stage.canvas.line(from, from + Vec2d{1.1 * chart.size, 0}, 0.2 * chart.size, color);
+    const Vec2d to = from + Vec2d{1.1 * chart.size, 0};
+    const double width = 0.2 * chart.size;
+    if (dashes_of(stage, entry.curve).empty()) {
+      stage.canvas.line(from, to, width, curve_color(stage, entry.curve));
+    } else {
+      draw_pattern(stage, {from, to}, entry.curve, width, chart.size);
+    }
     stage.canvas.text(chart.plot->curves[entry.curve], at + entry.at + Vec2d{1.6 * chart.size, 0}, chart.size,
                       Align::left, stage.palette.ink);
   }
@@ -168,9 +230,9 @@ class Piece {
     if (!column_.empty() && std::floor(at.x) != std::floor(column_.front().x)) flush();
     column_.push_back(at);
   }
-  void draw(const Stage& stage, double width, Color color) {
+  void draw(const Stage& stage, std::size_t curve, double width, int size) {
     flush();
-    stage.canvas.stroke(points_, width, color, color);
+    draw_pattern(stage, points_, curve, width, size);
     points_.clear();
   }
 
@@ -193,7 +255,6 @@ class Piece {
 void draw_curve(const Stage& stage, const Chart& chart, std::size_t curve) {
   const std::vector<double>& values = chart.plot->values[curve];
   const double width = std::max(1.5, 2.75 * stage.sizes.unit);
-  const Color color = curve_color(stage, curve);
   Piece piece;
   for (std::size_t i = 0; i < std::min(values.size(), chart.plot->times.size()); ++i) {
     const double time = chart.plot->times[i];
@@ -201,10 +262,10 @@ void draw_curve(const Stage& stage, const Chart& chart, std::size_t curve) {
     if (std::isfinite(values[i])) {
       piece.add({chart.x(time), chart.y(values[i])});
     } else {
-      piece.draw(stage, width, color);
+      piece.draw(stage, curve, width, chart.size);
     }
   }
-  piece.draw(stage, width, color);
+  piece.draw(stage, curve, width, chart.size);
 }
 
 /// One quantity against another: fading towards the past, a dot where it is now.
@@ -224,16 +285,16 @@ void draw_orbit(const Stage& stage, const Chart& chart, std::size_t curve) {
                     {color, stage.palette.plate, std::max(1.0, 1.25 * stage.sizes.unit)});
 }
 
-void draw_plot(const Stage& stage, Cards& cards, const PlotView& plot) {
+void draw_plot(const Stage& stage, Cards& cards, std::size_t index) {
   std::vector<LegendEntry> legend;
-  const Chart chart = chart_of(stage, cards, plot, legend);
+  const Chart chart = chart_of(stage, cards, index, legend);
   stage.canvas.rectangle(chart.card.lower, chart.card.upper, 0.3 * chart.size,
                          {stage.palette.plate, stage.palette.plate_edge, 1});
   draw_head(stage, chart, legend);
   draw_value_axis(stage, chart);
   draw_across_axis(stage, chart);
-  for (std::size_t i = 0; i < plot.values.size(); ++i) {
-    if (plot.is_portrait()) {
+  for (std::size_t i = 0; i < chart.plot->values.size(); ++i) {
+    if (chart.plot->is_portrait()) {
       draw_orbit(stage, chart, i);
     } else {
       draw_curve(stage, chart, i);
@@ -243,10 +304,15 @@ void draw_plot(const Stage& stage, Cards& cards, const PlotView& plot) {
 
 }  // namespace
 
+double least_plot_height(Canvas& canvas, const Sizes& sizes, const PlotView& plot, double width) {
+  const CardHeights heights = heights_of(canvas, plot, sizes.small, width);
+  return heights.head + heights.least_area + heights.foot;
+}
+
 void draw_plots(const Stage& stage, Cards& cards) {
-  for (const PlotView& plot : stage.frame.plots) {
-    stage.own(OwnerKind::plot, plot.title);
-    draw_plot(stage, cards, plot);
+  for (std::size_t i = 0; i < stage.frame.plots.size(); ++i) {
+    stage.own(OwnerKind::plot, stage.frame.plots[i].title);
+    draw_plot(stage, cards, i);
   }
 }
 

@@ -44,7 +44,7 @@ Aabbd room_of(const Stage& stage) {
 double gap_of(const Stage& stage) { return stage.sizes.text; }
 double title_height(const Stage& stage) { return std::ceil(1.6 * stage.sizes.text); }
 
-/// Pane `index`, its title included.
+/// SplitPane `index`, its title included.
 Aabbd cell_of(const Stage& stage, const Aabbd& room, const Grid& grid, int index) {
   const double gap = gap_of(stage);
   const Vec2d size = room.upper - room.lower;
@@ -63,26 +63,51 @@ PixelArea below_title(const Stage& stage, const Aabbd& cell) {
 
 /// Letters do not shrink as fast as the panes do.
 Sizes sizes_in(const Stage& stage, const PixelArea& area) {
-  return sizes_of(std::max(area.height, static_cast<int>(0.6 * stage.canvas.height_px())));
+  const int height = std::max(area.height, static_cast<int>(0.6 * stage.canvas.height_px()));
+  return sizes_of(2 * height, height);
 }
 
-void draw_inside(const Stage& stage, const Frame& frame, const PixelArea& area, std::uint32_t first_body) {
-  stage.canvas.enter(area);
-  const Stage pane{stage.canvas,          frame,       stage.palette, Camera(frame.view, area.width, area.height),
-                   sizes_in(stage, area), stage.marks, first_body};
-  draw_scene(pane);
-  Cards cards(pane.safe_area());
-  if (frame.shows(Layer::clock)) draw_clock(pane, cards);
-  draw_notes(pane, cards);
-  stage.canvas.leave();
+/// A pane and where it lies.
+struct SplitPane {
+  const Frame& frame;
+  Aabbd cell;      ///< its title included; px
+  PixelArea area;  ///< of its scene
+  std::uint32_t first_body = 0;
+};
+
+std::vector<SplitPane> panes_of(const Stage& stage) {
+  const int count = 1 + static_cast<int>(stage.frame.other_panes.size());
+  const Aabbd room = room_of(stage);
+  const Grid grid = grid_of(count, room.upper - room.lower);
+  std::vector<SplitPane> panes;
+  for (int i = 0; i < count; ++i) {
+    const Aabbd cell = cell_of(stage, room, grid, i);
+    panes.push_back({i == 0 ? stage.frame : stage.frame.other_panes[static_cast<std::size_t>(i) - 1], cell,
+                     below_title(stage, cell), static_cast<std::uint32_t>(i) * pane_stride});
+  }
+  return panes;
 }
 
-void draw_title(const Stage& stage, const Frame& frame, const Aabbd& cell) {
-  const double baseline = cell.lower.y + 0.5 * (title_height(stage) + cap_height * stage.sizes.text) - 1;
-  const int size = stage.canvas.text_width(frame.pane_title, stage.sizes.text) <= cell.upper.x - cell.lower.x
-                       ? stage.sizes.text
-                       : stage.sizes.small;
-  stage.canvas.text(frame.pane_title, {cell.lower.x, baseline}, size, Align::left, stage.palette.ink);
+/// What draws inside a pane. Its height shows the view, whatever proportions the film has.
+Stage stage_in(const Stage& whole, const SplitPane& pane) {
+  View view = pane.frame.view;
+  view.made_for = {};
+  return {whole.canvas,
+          pane.frame,
+          whole.palette,
+          Camera(view, pane.area.width, pane.area.height),
+          sizes_in(whole, pane.area),
+          {},
+          whole.marks,
+          pane.first_body};
+}
+
+void draw_title(const Stage& stage, const SplitPane& pane) {
+  const double baseline = pane.cell.lower.y + 0.5 * (title_height(stage) + cap_height * stage.sizes.text) - 1;
+  const bool fits =
+      stage.canvas.text_width(pane.frame.pane_title, stage.sizes.text) <= pane.cell.upper.x - pane.cell.lower.x;
+  stage.canvas.text(pane.frame.pane_title, {pane.cell.lower.x, baseline}, fits ? stage.sizes.text : stage.sizes.small,
+                    Align::left, stage.palette.ink);
 }
 
 void draw_edge(const Stage& stage, const PixelArea& area) {
@@ -93,18 +118,25 @@ void draw_edge(const Stage& stage, const PixelArea& area) {
 
 }  // namespace
 
-void draw_split(const Stage& stage) {
-  const int count = 1 + static_cast<int>(stage.frame.other_panes.size());
-  const Aabbd room = room_of(stage);
-  const Grid grid = grid_of(count, room.upper - room.lower);
-  for (int i = 0; i < count; ++i) {
-    const Frame& frame = i == 0 ? stage.frame : stage.frame.other_panes[static_cast<std::size_t>(i) - 1];
-    const Aabbd cell = cell_of(stage, room, grid, i);
-    const PixelArea area = below_title(stage, cell);
-    draw_inside(stage, frame, area, static_cast<std::uint32_t>(i) * pane_stride);
-    stage.own(OwnerKind::pane, frame.pane_title);
-    draw_edge(stage, area);
-    draw_title(stage, frame, cell);
+void draw_split_scenes(const Stage& stage) {
+  for (const SplitPane& pane : panes_of(stage)) {
+    stage.canvas.enter(pane.area);
+    draw_scene(stage_in(stage, pane));
+    stage.canvas.leave();
+    stage.own(OwnerKind::pane, pane.frame.pane_title);
+    draw_edge(stage, pane.area);
+    draw_title(stage, pane);
+  }
+}
+
+void draw_split_notes(const Stage& stage) {
+  for (const SplitPane& pane : panes_of(stage)) {
+    stage.canvas.enter(pane.area);
+    const Stage inside = stage_in(stage, pane);
+    Cards cards(inside.safe_area());
+    if (pane.frame.shows(Layer::clock)) draw_clock(inside, cards);
+    draw_notes(inside, cards);
+    stage.canvas.leave();
   }
   Cards cards(stage.safe_area());
   draw_captions(stage, cards);

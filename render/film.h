@@ -7,6 +7,7 @@
 
 #include "render/context.h"
 #include "render/sink.h"
+#include "render/title_card.h"
 #include "scenarios/scenario.h"
 
 namespace proofreel {
@@ -28,6 +29,9 @@ struct FilmRequest {
   std::optional<GlBackend> gl;
   bool transparent = false;
   int threads = 0;  ///< cores to share between drawing and encoding; 0: as many as the machine has
+  std::vector<std::int64_t> exposures = {};  ///< ticks each frame of the timeline is exposed (exposures); empty: one
+  std::optional<TitleCard> title_card = {};  ///< shown before the first frame
+  std::int64_t card_pictures = 0;            ///< so many pictures long; at least one when there is a card
 };
 
 /// Runs the scenario up to the one frame of the request and draws it as SVG, without OpenGL.

@@ -53,6 +53,8 @@ Gl::Gl(const GlContext& context) {
   load(context, "glBindFramebuffer", BindFramebuffer);
   load(context, "glDeleteFramebuffers", DeleteFramebuffers);
   load(context, "glFramebufferRenderbuffer", FramebufferRenderbuffer);
+  load(context, "glFramebufferTexture2D", FramebufferTexture2D);
+  load(context, "glBlitFramebuffer", BlitFramebuffer);
   load(context, "glCheckFramebufferStatus", CheckFramebufferStatus);
   load(context, "glGenRenderbuffers", GenRenderbuffers);
   load(context, "glBindRenderbuffer", BindRenderbuffer);

@@ -56,6 +56,8 @@ struct Gl {
   PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
   PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
   PFNGLFRAMEBUFFERRENDERBUFFERPROC FramebufferRenderbuffer = nullptr;
+  PFNGLFRAMEBUFFERTEXTURE2DPROC FramebufferTexture2D = nullptr;
+  PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer = nullptr;
   PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = nullptr;
   PFNGLGENRENDERBUFFERSPROC GenRenderbuffers = nullptr;
   PFNGLBINDRENDERBUFFERPROC BindRenderbuffer = nullptr;

@@ -33,6 +33,10 @@ void blend(Image& image, const GlyphBitmap& glyph, int x_px, int y_px, int end_p
 
 }  // namespace
 
+int Lettering::width_px(std::string_view utf8, int size_px) const {
+  return static_cast<int>((font_.layout(utf8, size_px).width + pen_per_pixel - 1) / pen_per_pixel);
+}
+
 void Lettering::write(Image& image, std::string_view utf8, int size_px, int x_px, int y_px, int end_px,
                       Color color) const {
   for (const PlacedGlyph& placed : font_.layout(utf8, size_px).glyphs) {

@@ -15,6 +15,9 @@ class Lettering {
   /// `size_px`.
   void write(Image& image, std::string_view utf8, int size_px, int x_px, int y_px, int end_px, Color color) const;
 
+  /// How wide that line is, rounded up.
+  int width_px(std::string_view utf8, int size_px) const;
+
  private:
   Font font_;
 };

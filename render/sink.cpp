@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* known_endings =
-    "Known are NAME.png, NAME%04d.png (one file per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .hash (a line per "
-    "frame) and - (raw RGBA on standard output).";
+    "Known are NAME.png, NAME%04d.png (one file per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .srt (subtitles), "
+    ".hash (a line per frame) and - (raw RGBA on standard output).";
 
 /// An unwritable folder is to be found before anything is drawn.
 void check_writable(const std::string& path) { const OutputFile removed_at_once(path); }

@@ -1,6 +1,7 @@
 #include "render/theme.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace proofreel {
 namespace {
@@ -80,7 +81,7 @@ const Palette print_palette{
     .box = rgb(0x6E6E6E),
     .joint = rgb(0x000000),
     .vectors = {rgb(0x000000), rgb(0x3A3A3A), rgb(0x000000), rgb(0x3A3A3A), rgb(0x000000)},
-    .curves = {rgb(0x000000), rgb(0x8C8C8C), rgb(0x505050), rgb(0xB4B4B4), rgb(0x2C2C2C), rgb(0x6E6E6E)},
+    .curves = {rgb(0x000000), rgb(0x6E6E6E), rgb(0x505050), rgb(0x3C3C3C), rgb(0x8C8C8C), rgb(0x6E6E6E)},
     .forces = {rgb(0x000000), rgb(0x8C8C8C), rgb(0x505050)},
     .islands = {tone(0xF0F0F0, 0x1E1E1E), tone(0xB4B4B4, 0x1E1E1E), tone(0xD6D6D6, 0x1E1E1E), tone(0x969696, 0x1E1E1E),
                 tone(0xE4E4E4, 0x1E1E1E), tone(0xA4A4A4, 0x1E1E1E), tone(0xC6C6C6, 0x1E1E1E)},
@@ -123,14 +124,16 @@ Tone tone_of(const Palette& palette, const BodyView& body) {
   return tone;
 }
 
-Sizes sizes_of(int height_px) {
+Sizes sizes_of(int width_px, int height_px) {
   static constexpr int readable = 9;
-  const double unit = height_px / 720.0;
-  const auto part = [height_px](int parts) { return std::max(readable, (height_px + parts / 2) / parts); };
+  const double of_area = std::floor(0.75 * std::sqrt(static_cast<double>(width_px) * height_px));
+  const int height = std::min({width_px, height_px, static_cast<int>(of_area)});
+  const double unit = height / 720.0;
+  const auto part = [height](int parts) { return std::max(readable, (height + parts / 2) / parts); };
   return {.unit = unit,
           .outline = std::max(1.25, 2 * unit),
           .thin = std::max(1.0, 1.25 * unit),
-          .margin = 0.04 * height_px,
+          .margin = 0.04 * height,
           .title = part(18),
           .text = part(28),
           .small = part(40)};

@@ -52,7 +52,8 @@ Tone tone_of(const Palette& palette, const BodyView& body);
 /// Paler, as what sleeps is drawn.
 Tone asleep(Tone tone, const Palette& palette);
 
-/// Sizes in pixels.
+/// Sizes in pixels. They follow the height of the picture, or where it is narrower than 16:9 the height of one of
+/// 16:9 and the same area: an upright picture is looked at from as near as a wide one.
 struct Sizes {
   double unit = 1;     ///< a pixel of a picture 720 high
   double outline = 2;  ///< of bodies
@@ -63,6 +64,6 @@ struct Sizes {
   int small = 0;       ///< 1/40, or as small as can be read
 };
 
-Sizes sizes_of(int height_px);
+Sizes sizes_of(int width_px, int height_px);
 
 }  // namespace proofreel

@@ -113,6 +113,25 @@ DemonstrationView view_of_step(const Story& story, std::size_t index, double sin
   return view;
 }
 
+/// A step of a story, and for how many seconds it has been shown.
+struct Moment {
+  const Story* story = nullptr;
+  std::size_t step = 0;
+  double since = 0;
+};
+
+Moment moment_at(const std::vector<Story>& stories, double seconds) {
+  const Story* last = nullptr;
+  for (const Story& story : stories) {
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+      if (seconds < story.steps[i].seconds) return {&story, i, seconds};
+      seconds -= story.steps[i].seconds;
+    }
+    last = &story;
+  }
+  return {last, last->steps.size() - 1, last->steps.back().seconds};
+}
+
 }  // namespace
 
 const char* name_of(Algorithm algorithm) { return recipe_of(algorithm).name; }
@@ -164,16 +183,14 @@ double duration_of(const std::vector<Story>& stories) {
   return seconds;
 }
 
+const Step& step_at(const std::vector<Story>& stories, double seconds) {
+  const Moment moment = moment_at(stories, seconds);
+  return moment.story->steps[moment.step];
+}
+
 DemonstrationView view_of(const std::vector<Story>& stories, double seconds) {
-  const Story* last = nullptr;
-  for (const Story& story : stories) {
-    for (std::size_t i = 0; i < story.steps.size(); ++i) {
-      if (seconds < story.steps[i].seconds) return view_of_step(story, i, seconds);
-      seconds -= story.steps[i].seconds;
-    }
-    last = &story;
-  }
-  return view_of_step(*last, last->steps.size() - 1, last->steps.back().seconds);
+  const Moment moment = moment_at(stories, seconds);
+  return view_of_step(*moment.story, moment.step, moment.since);
 }
 
 std::uint64_t hash_of(const std::vector<Story>& stories) {

@@ -158,6 +158,9 @@ Story story_of(const Demonstration& demonstration);
 /// Seconds from the first step to the end of the last.
 double duration_of(const std::vector<Story>& stories);
 
+/// The step that is shown `seconds` after the first began; the last one stays. There must be one.
+const Step& step_at(const std::vector<Story>& stories, double seconds);
+
 /// The stories one after the other, `seconds` after the first began; the last step stays. A mark that is new appears
 /// and one that has moved moves within a part of a second, then all stands still.
 DemonstrationView view_of(const std::vector<Story>& stories, double seconds);

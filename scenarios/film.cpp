@@ -134,17 +134,17 @@ std::vector<HighlightView> highlights(const Picture& picture, const Snapshot& sn
   return views;
 }
 
-std::vector<CaptionView> captions(const Scenario& scenario, std::int64_t tick) {
+}  // namespace
+
+std::vector<CaptionView> captions_at(const Scenario& scenario, std::int64_t tick) {
   const int rate = scenario.scene.rate;
   std::vector<CaptionView> views;
   for (const Caption& caption : scenario.picture.captions) {
     const bool shows = tick_at(caption.from, rate) <= tick && tick < tick_at(caption.to, rate);
-    if (shows) views.push_back({caption.text, caption.at});
+    if (shows) views.push_back({caption.text, caption.at, caption.place});
   }
   return views;
 }
-
-}  // namespace
 
 double usual_force_scale(const Scenario& scenario) {
   constexpr double earth = 9.81;
@@ -173,7 +173,7 @@ Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot sn
   frame.arrows = arrows(scenario.picture, snapshot);
   frame.labels = labels(scenario.picture, snapshot);
   frame.highlights = highlights(scenario.picture, snapshot);
-  frame.captions = captions(scenario, snapshot.tick);
+  frame.captions = captions_at(scenario, snapshot.tick);
   frame.plots = recorder.plots();
   if (!scenario.stories.empty()) frame.demonstration = view_of(scenario.stories, snapshot.time);
   frame.pane_title = scenario.pane_title;

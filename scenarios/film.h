@@ -7,6 +7,9 @@
 
 namespace proofreel {
 
+/// What is written at `tick`, as far as the script has come.
+std::vector<CaptionView> captions_at(const Scenario& scenario, std::int64_t tick);
+
 /// The frame of the moment `snapshot` was taken, which is the last one recorded.
 Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot snapshot, std::int64_t index);
 

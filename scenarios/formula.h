@@ -37,4 +37,8 @@ struct TextPart {
 /// Parts a text at its $; where that cannot be read, a sentence without a subject: "has a formula that ...".
 std::variant<std::vector<TextPart>, std::string> parse_formulas(std::string_view text);
 
+/// The text in letters and signs alone, as subtitles need it: a fraction is (a + b)/c, x squared is x². Sub- and
+/// superscripts that Unicode lacks are written a_(AB) and e^(kt); what cannot be read as formulas stays as it is.
+std::string plain_text(std::string_view text);
+
 }  // namespace proofreel

@@ -53,6 +53,7 @@ struct HighlightView {
 struct CaptionView {
   std::string text;
   Corner at = Corner::bottom;
+  std::string place = {};  ///< where the script makes it, as sentences begin
 };
 
 /// The least and the greatest of some numbers; of none, the low is above the high.

@@ -64,7 +64,8 @@ int caption(lua_State* state) {
   caption.to = fields.number("to", Range::not_negative).value_or(forever);
   if (caption.to <= caption.from) fields.refuse("to", "must come after from");
   caption.at = read_corner(fields, Corner::bottom);
-  model.scenario.picture.captions.push_back(caption);
+  caption.place = sandbox_of(state).place("text");
+  model.scenario.picture.captions.push_back(std::move(caption));
   return 0;
 }
 

@@ -52,6 +52,8 @@ class Sandbox {
   /// XXH3 of all sources compiled so far, in order.
   std::uint64_t source_hash() const;
   void* client() const { return client_; }
+  /// Where `key` of the word that is called now is written, as sentences begin: "ball.lua: line 12: ".
+  std::string place(const std::string& key) const { return sentence(location(key)); }
   /// Raises `problem` as a Lua error that says where.
   [[noreturn]] void raise(const Problem& problem);
   /// Names the message of an unknown global is compared with.

@@ -222,6 +222,7 @@ void read_scenario(const Fields& fields, Model& model) {
   put(scenario.scene.gravity, fields.vector("gravity"));
   if (length(scenario.scene.gravity) > strongest_gravity) fields.refuse("gravity", "must stay below 1e6 m/s^2");
   put(picture.size, read_size(fields));
+  picture.view.made_for = picture.size;
   if (const auto index = fields.choice("theme", theme_names)) picture.theme = static_cast<Theme>(*index);
   if (fields.push("layers")) {
     picture.layers = read_layers(fields.state(), [&](const std::string& what) { fields.refuse("layers", what); });

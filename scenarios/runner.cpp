@@ -49,8 +49,8 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
   const std::string who = named ? "body " + quote(scenario.body_names[body - 1]) : std::string("the scene");
   const std::string time = formatted("%.6g s", static_cast<double>(failure.tick) / scenario.scene.rate);
   const std::string where = scenario.pane_title.empty() ? "" : "pane " + quote(scenario.pane_title) + ": ";
-  return scenario.path + ": " + where + "the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + "): in " +
-         failure.stage + " the motion of " + who + " " + failure.what +
+  return scenario.path + ": " + where + "the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time +
+         "): in " + failure.stage + " the motion of " + who + " " + failure.what +
          "; use smaller forces or stiffness, or a higher rate";
 }
 

@@ -47,16 +47,17 @@ std::optional<Theme> theme_named(std::string_view name);
 enum class Corner : std::uint8_t { top_left, top, top_right, bottom_left, bottom, bottom_right };
 constexpr bool is_at_top(Corner at) { return at <= Corner::top_right; }
 
-/// The part of the world in the picture. Metres; the width follows from the picture's proportions.
-struct View {
-  Vec2d center;
-  double height = 10;
-};
-
 struct Size {
   int width_px = 0;
   int height_px = 0;
   friend bool operator==(Size, Size) = default;
+};
+
+/// The part of the world in the picture. Metres; the width follows from the picture's proportions.
+struct View {
+  Vec2d center;
+  double height = 10;
+  Size made_for = {};  ///< what a picture of these proportions shows, one of any others shows too; zero: any will do
 };
 
 /// How a camera move goes on: from rest to rest, or at one speed.
@@ -77,6 +78,7 @@ struct Caption {
   double from = 0;
   double to = 0;
   Corner at = Corner::bottom;
+  std::string place = {};  ///< where the script makes it, as sentences begin: "ball.lua: line 12: "
 };
 
 struct Label {

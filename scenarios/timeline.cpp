@@ -79,6 +79,30 @@ std::int64_t held(const Scenario& scenario, std::int64_t before, std::int64_t ti
   return frames;
 }
 
+struct Timeline {
+  std::vector<std::int64_t> frames;  ///< their ticks
+  std::int64_t end = 0;              ///< the tick the next frame would show
+};
+
+Timeline timeline_of(const Scenario& scenario) {
+  const int rate = scenario.scene.rate;
+  const int fps = scenario.picture.fps;
+  if (rate % fps != 0) refuse_rate(rate, fps);
+  for (const auto& pane : scenario.other_panes) {
+    if (pane->scene.rate % fps != 0) refuse_rate(pane->scene.rate, fps);
+  }
+  const std::int64_t usual = rate / fps;
+  const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
+  Timeline timeline;
+  for (std::int64_t before = -1; timeline.end < scenario.ticks();) {
+    const std::int64_t tick = timeline.end;
+    timeline.frames.insert(timeline.frames.end(), static_cast<std::size_t>(1 + held(scenario, before, tick)), tick);
+    before = tick;
+    timeline.end += ticks_to_next(tick, usual, stretches);
+  }
+  return timeline;
+}
+
 /// What is demonstrated begins a section whenever its heading changes.
 std::vector<Section> headings_of(const std::vector<Story>& stories) {
   std::vector<Section> sections;
@@ -128,22 +152,9 @@ bool ever_shows(const Picture& picture, Layer layer) {
                                               [&](const LayerChange& change) { return holds(change.layers); });
 }
 
-std::vector<std::int64_t> film_timeline(const Scenario& scenario) {
-  const int rate = scenario.scene.rate;
-  const int fps = scenario.picture.fps;
-  if (rate % fps != 0) refuse_rate(rate, fps);
-  for (const auto& pane : scenario.other_panes) {
-    if (pane->scene.rate % fps != 0) refuse_rate(pane->scene.rate, fps);
-  }
-  const std::int64_t usual = rate / fps;
-  const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
-  std::vector<std::int64_t> frames;
-  for (std::int64_t tick = 0, before = -1; tick < scenario.ticks(); tick += ticks_to_next(tick, usual, stretches)) {
-    frames.insert(frames.end(), static_cast<std::size_t>(1 + held(scenario, before, tick)), tick);
-    before = tick;
-  }
-  return frames;
-}
+std::vector<std::int64_t> film_timeline(const Scenario& scenario) { return timeline_of(scenario).frames; }
+
+std::int64_t film_end(const Scenario& scenario) { return timeline_of(scenario).end; }
 
 std::vector<FilmSection> film_sections(const Scenario& scenario, const std::vector<std::int64_t>& timeline) {
   const bool named = !scenario.picture.sections.empty();

@@ -20,6 +20,9 @@ std::int64_t tick_at(double seconds, int rate);
 /// round(i * rate / fps), and at the last tick.
 bool is_sample_tick(const Scenario& scenario, std::int64_t tick);
 
+/// The tick one more frame after the last would show: from the last frame's tick to it lies what that frame stands for.
+std::int64_t film_end(const Scenario& scenario);
+
 /// A section as frames of the film, the last one included.
 struct FilmSection {
   std::string name;

@@ -104,7 +104,7 @@ TEST_CASE("Every caption of the lecture films fits its band in two lines") {
     const auto scenario = load_scenario(path, {});
     for (const Story& story : scenario->stories) {
       for (const Step& step : story.steps) {
-        const Sizes sizes = sizes_of(720);
+        const Sizes sizes = sizes_of(1280, 720);
         const double width = 1280 - 2 * sizes.margin - 1.6 * sizes.text;
         INFO(path << ": " << step.caption);
         CHECK(typeset(canvas(), step.caption, sizes.text, width).size() <= 2);

@@ -64,3 +64,15 @@ TEST_CASE("Braces cannot nest without end") {
   const std::string deep(1000, '{');
   CHECK_THAT(std::get<std::string>(parse_formulas("$" + deep + "$")), Contains("more than 20 braces"));
 }
+
+TEST_CASE("Formulas as plain text are Unicode where it has signs, and brackets where it has none") {
+  CHECK(plain_text("speed $v_0$ and $x^2$") == "speed v\u2080 and x\u00b2");
+  CHECK(plain_text("$\\frac{J}{m}$, $\\frac{a + b}{2 c}$, $\\frac{10}{25}$") == "J/m, (a + b)/(2 c), 10/25");
+  CHECK(plain_text("$\\frac{\\frac{a}{b}}{c}$") == "(a/b)/c");
+  CHECK(plain_text("$a_{12}$ $m_i$ $F_A$ $F_{AB}$") == "a\u2081\u2082 m\u1d62 F_A F_(AB)");
+  CHECK(plain_text("$e^{-kt}$ $2^{10}$ $r^{x_1}$") == "e^(-kt) 2\u00b9\u2070 r^x\u2081");
+  CHECK(plain_text("$\\vec{v} = \\omega \\times \\vec{AB}$") == "v\u20d7 = \u03c9 \u00d7 AB\u20d7");
+  CHECK(plain_text("5 \\$ and no formula") == "5 $ and no formula");
+  CHECK(plain_text("a $ alone") == "a $ alone");
+  CHECK(plain_text("").empty());
+}
