@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "render/canvas_geometry.h"
@@ -86,7 +86,7 @@ bool all_finite(std::span<const Vec2d> points) {
 }  // namespace
 
 struct Canvas::Impl {
-  std::optional<CanvasGpu> gpu;  ///< without it, marks are written down
+  std::unique_ptr<CanvasGpu> gpu;  ///< without it, marks are written down
   int width_px;
   int height_px;
   SvgWriter writer;
@@ -101,9 +101,14 @@ struct Canvas::Impl {
   PixelArea area;
   Vec2d origin;  ///< of the area: what is asked for counts from it
 
-  Impl(GlContext& context, int width, int height) : Impl(width, height) { gpu.emplace(context, width, height); }
-  Impl(int width, int height)
-      : width_px(width), height_px(height), writer(width, height), batches(width, height), area(whole()) {}
+  /// Draws through the context, or without one writes down.
+  Impl(GlContext* context, int width, int height)
+      : gpu(context != nullptr ? std::make_unique<CanvasGpu>(*context, width, height) : nullptr),
+        width_px(width),
+        height_px(height),
+        writer(width, height),
+        batches(width, height),
+        area(whole()) {}
 
   /// Where marks are written down; null where they are drawn.
   SvgWriter* svg() { return gpu ? nullptr : &writer; }
@@ -318,9 +323,9 @@ void Canvas::Impl::add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color 
 }
 
 Canvas::Canvas(GlContext& context, int width_px, int height_px)
-    : impl_(std::make_unique<Impl>(context, width_px, height_px)) {}
+    : impl_(std::make_unique<Impl>(&context, width_px, height_px)) {}
 
-Canvas::Canvas(int width_px, int height_px) : impl_(std::make_unique<Impl>(width_px, height_px)) {}
+Canvas::Canvas(int width_px, int height_px) : impl_(std::make_unique<Impl>(nullptr, width_px, height_px)) {}
 
 Canvas::~Canvas() = default;
 

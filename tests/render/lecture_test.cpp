@@ -19,6 +19,7 @@ std::vector<std::string> lecture_scenarios() {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator("scenarios/lecture")) {
     const std::string path = entry.path().string();
+    if (!path.ends_with(".lua")) continue;
     if (!load_scenario(path, {})->stories.empty()) paths.push_back(path);
   }
   std::sort(paths.begin(), paths.end());
