@@ -2,7 +2,7 @@
 local torque, mass, radius, sides = 1.5, 4, 1, 16   -- N m, kg, m
 
 scenario {
-  title = "Moment of inertia",
+  title = "Torque and moment of inertia",
   description = "A disc and a ring of equal mass get the same torque: the disc, whose mass is nearer to the axis, turns faster.",
   duration = 4, gravity = {0, 0}, view = { center = {0, 0.3}, height = 4.6 }, layers = { "bodies", "joints", "labels" },
   golden = { frames = {30, 100, 170, 239}, size = {640, 360} },
