@@ -30,9 +30,11 @@ struct Filmed {
   std::string error;
 };
 
-Filmed filmed(const std::string& file, const std::string& folder, std::optional<GlBackend> gl) {
+Filmed filmed(const Options& options, const std::string& file, std::optional<GlBackend> gl) {
   try {
-    return {film_for_gallery(file, folder, gl, [](std::int64_t, std::int64_t) { stop_if_interrupted(); }), {}};
+    return {film_for_gallery(file, options.common.overrides(), options.out, gl,
+                             [](std::int64_t, std::int64_t) { stop_if_interrupted(); }),
+            {}};
   } catch (const ScenarioError& error) {
     return {std::nullopt, error.what()};
   }
@@ -44,7 +46,7 @@ using Entries = std::map<std::string, GalleryEntry>;
 Entries film_all(const Options& options, const std::vector<std::string>& files, bool& good) {
   const std::optional<GlBackend> gl = gl_backend_named(options.common.gl);
   InOrder<Filmed> films(
-      [&]() -> InOrder<Filmed>::Worker { return [&](std::size_t i) { return filmed(files[i], options.out, gl); }; });
+      [&]() -> InOrder<Filmed>::Worker { return [&](std::size_t i) { return filmed(options, files[i], gl); }; });
   Entries entries;
   ProgressLine line("scenarios", options.common.quiet);
   std::int64_t done = 0;

@@ -42,8 +42,8 @@ struct GalleryEntry {
 
 /// Films the scenario for the gallery in `folder` (which exists): films/ID.mp4 and a telling moment as stills/ID.png.
 /// `progress` may throw to stop. Throws ScenarioError and EnvironmentError.
-GalleryEntry film_for_gallery(const std::string& file, const std::string& folder, std::optional<GlBackend> gl,
-                              const Progress& progress);
+GalleryEntry film_for_gallery(const std::string& file, const std::vector<Override>& overrides,
+                              const std::string& folder, std::optional<GlBackend> gl, const Progress& progress);
 
 /// What of the engine a scene shows at work: the files of the algorithms it demonstrates, or of its joints and effects.
 std::vector<std::string> engine_files_of(const Scenario& scenario);

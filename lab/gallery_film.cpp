@@ -67,9 +67,9 @@ int fitting_fps(const Scenario& scenario) {
 
 }  // namespace
 
-GalleryEntry film_for_gallery(const std::string& file, const std::string& folder, std::optional<GlBackend> gl,
-                              const Progress& progress) {
-  const std::unique_ptr<Scenario> scenario = load_scenario(file, {});
+GalleryEntry film_for_gallery(const std::string& file, const std::vector<Override>& overrides,
+                              const std::string& folder, std::optional<GlBackend> gl, const Progress& progress) {
+  const std::unique_ptr<Scenario> scenario = load_scenario(file, overrides);
   const std::int64_t telling = telling_tick(*scenario);
   scenario->picture.fps = fitting_fps(*scenario);
   scenario->picture.size = fitted(scenario->picture.size);

@@ -25,6 +25,14 @@ TEST_CASE("gallery films every scenario, takes its chosen moment as a still, and
   CHECK_THAT(read_text(c / "out/index.html"), Contains("films/ball.mp4") && Contains("</html>"));
 }
 
+TEST_CASE("gallery films what is set from outside", "[cli]") {
+  Collection c;
+  c.write("ball", falling_ball());
+  write_text(c / "scenarios/contents.json", contents);
+  REQUIRE(c.run({"gallery", "-o", "out", "--set", "duration=0.2"}).status == 0);
+  CHECK(decode_film(c / "out/films/ball.mp4").frames.size() == 6);
+}
+
 TEST_CASE("gallery tells what cannot be filmed, and shows the rest", "[cli]") {
   Collection c;
   c.write("ball", falling_ball());
