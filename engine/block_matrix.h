@@ -89,10 +89,14 @@ class BlockMatrixOf {
   void subtract_threes(int place);
   void take_updates(const Panel& panel);
   void subtract_few(int place);
+  template <int width, bool pairs>
+  void subtract_few(int place);
+  void subtract_few_of_any_width(int place);
   void take_few(const Panel& panel);
   T factor_panel(const Panel& panel);
   template <int width>
   T factor_narrow(const Panel& panel);
+  void solve_few(T* x) const;
   void spread(const Panel& panel, T* x) const;
   template <int width>
   void spread_narrow(const Panel& panel, T* x) const;

@@ -22,9 +22,47 @@ T BlockMatrixOf<T>::factor() {
   return least;
 }
 
-/// As below, the same sums in the same order.
+/// As below, the same sums in the same order. Most joints have two rows, or three.
 template <typename T>
 void BlockMatrixOf<T>::subtract_few(int place) {
+  const Panel& source = panels_[at(column_[at(place)])];
+  if (source.width == 2)
+    return in_runs_[at(column_[at(place)])] ? subtract_few<2, true>(place) : subtract_few<2, false>(place);
+  if (source.width == 3)
+    return in_runs_[at(column_[at(place)])] ? subtract_few<3, true>(place) : subtract_few<3, false>(place);
+  subtract_few_of_any_width(place);
+}
+
+/// In one go over the rows for all columns of the source. `pairs`: two columns at a time are added up before they join
+/// the sum.
+template <typename T>
+template <int width, bool pairs>
+void BlockMatrixOf<T>::subtract_few(int place) {
+  const Panel& source = panels_[at(column_[at(place)])];
+  const Panel& target = panels_[at(row_[at(place)])];
+  const int* __restrict rows = meeting_.data() + meets_[at(place)];
+  const int height = source.height;
+  const int count = height - offset_[at(place)];
+  const T* __restrict a = values_.data() + source.begin + at(offset_[at(place)]);
+  const T* pivots = pivot_.data() + source.first;
+  T* __restrict sums = updates_.data();
+  for (int t = 0; t < target.width; ++t, sums += target.height) {
+    T factors[width];
+    for (int s = 0; s < width; ++s) factors[s] = a[s * height + t] * pivots[s];
+    for (int k = t; k < count; ++k) {
+      T sum = sums[rows[k]];
+      int s = 0;
+      if constexpr (pairs) {
+        for (; s + 2 <= width; s += 2) sum += factors[s] * a[s * height + k] + factors[s + 1] * a[(s + 1) * height + k];
+      }
+      for (; s < width; ++s) sum += factors[s] * a[s * height + k];
+      sums[rows[k]] = sum;
+    }
+  }
+}
+
+template <typename T>
+void BlockMatrixOf<T>::subtract_few_of_any_width(int place) {
   const Panel& source = panels_[at(column_[at(place)])];
   const Panel& target = panels_[at(row_[at(place)])];
   const int* rows = meeting_.data() + meets_[at(place)];

@@ -26,12 +26,43 @@ T dot_product(const T* a, const T* b, int count) {
 
 template <typename T>
 void BlockMatrixOf<T>::solve(std::vector<T>& x) const {
+  if (few_) return solve_few(x.data());
   const int columns = static_cast<int>(in_runs_.size());
-  for (int c = 0; c < columns; ++c)
-    in_runs_[at(c)] && !few_ ? spread_in_runs(c, x.data()) : spread(panels_[at(c)], x.data());
+  for (int c = 0; c < columns; ++c) in_runs_[at(c)] ? spread_in_runs(c, x.data()) : spread(panels_[at(c)], x.data());
   for (int r = 0; r < size(); ++r) x[at(r)] *= inverse_pivot_[at(r)];
   for (int c = columns - 1; c >= 0; --c)
     in_runs_[at(c)] ? gather_in_runs(c, x.data()) : gather(panels_[at(c)], x.data());
+}
+
+/// The same. Panels are so small that what leads to them is the price: so it is inlined here.
+template <typename T>
+void BlockMatrixOf<T>::solve_few(T* x) const {
+  const int columns = static_cast<int>(in_runs_.size());
+  for (int c = 0; c < columns; ++c) {
+    const Panel& panel = panels_[at(c)];
+    if (panel.width == 2) {
+      spread_narrow<2>(panel, x);
+    } else if (panel.width == 1) {
+      spread_narrow<1>(panel, x);
+    } else {
+      spread(panel, x);
+    }
+  }
+  for (int r = 0; r < size(); ++r) x[r] *= inverse_pivot_[at(r)];
+  for (int c = columns - 1; c >= 0; --c) {
+    const Panel& panel = panels_[at(c)];
+    if (in_runs_[at(c)]) {
+      gather_in_runs(c, x);
+    } else if (panel.width == 2) {
+      gather_narrow<2>(panel, x);
+    } else if (panel.width == 3) {
+      gather_narrow<3>(panel, x);
+    } else if (panel.width == 1) {
+      gather_narrow<1>(panel, x);
+    } else {
+      gather(panel, x);
+    }
+  }
 }
 
 /// Forward substitution: what is known of a column's unknowns is taken out of all equations below.
@@ -50,7 +81,7 @@ void BlockMatrixOf<T>::spread(const Panel& panel, T* x) const {
 
 template <typename T>
 template <int width>
-void BlockMatrixOf<T>::spread_narrow(const Panel& panel, T* x) const {
+[[gnu::always_inline]] inline void BlockMatrixOf<T>::spread_narrow(const Panel& panel, T* x) const {
   const int* equations = equations_of(panel);
   const T* values = values_.data() + panel.begin;
   const int height = panel.height;
@@ -100,8 +131,6 @@ void BlockMatrixOf<T>::spread_threes(int column, T* x) const {
 template <typename T>
 void BlockMatrixOf<T>::gather(const Panel& panel, T* x) const {
   if (threes_) return gather_threes(panel, x);
-  if (few_ && panel.width == 2) return gather_narrow<2>(panel, x);
-  if (few_ && panel.width == 3) return gather_narrow<3>(panel, x);
   const int* equations = equations_of(panel);
   const int height = panel.height;
   const T* values = values_.data() + panel.begin + at(panel.width) * at(height);
@@ -115,7 +144,7 @@ void BlockMatrixOf<T>::gather(const Panel& panel, T* x) const {
 
 template <typename T>
 template <int width>
-void BlockMatrixOf<T>::gather_narrow(const Panel& panel, T* x) const {
+[[gnu::always_inline]] inline void BlockMatrixOf<T>::gather_narrow(const Panel& panel, T* x) const {
   const int height = panel.height;
   const int* equations = equations_of(panel);
   T below[most_few];

@@ -61,15 +61,39 @@ struct Body {
   bool asleep() const { return acts_as != type; }
 };
 
+/// Cosine and sine, of one angle or of several (lanes.h).
+template <typename T>
+struct SmallTurn {
+  T c;
+  T s;
+};
+
+/// Angles from here on take the full functions.
+inline constexpr real largest_small_turn = real(0.25);
+
+/// Of small angles: Taylor to the 11th power, so that below 1/4 rad the rest is under 1e-18.
+template <typename T>
+inline SmallTurn<T> small_turn(T angle) {
+  constexpr real one = 1;
+  const T a2 = angle * angle;
+  const T s =
+      angle *
+      (one -
+       a2 / real(6) * (one - a2 / real(20) * (one - a2 / real(42) * (one - a2 / real(72) * (one - a2 / real(110))))));
+  const T c =
+      one -
+      a2 / real(2) *
+          (one - a2 / real(12) *
+                     (one - a2 / real(30) * (one - a2 / real(56) * (one - a2 / real(90) * (one - a2 / real(132))))));
+  return {c, s};
+}
+
 /// Turns `q` by `angle` radians. Small angles, the usual case within a step, take a short series instead of the full
 /// functions.
 inline Rot turned(Rot q, real angle) {
-  if (!(std::abs(angle) < real(0.25))) return normalized(Rot(angle) * q);
-  const real a2 = angle * angle;
-  // Taylor to the 11th power: below 1/4 rad the rest is under 1e-18.
-  const real s = angle * (1 - a2 / 6 * (1 - a2 / 20 * (1 - a2 / 42 * (1 - a2 / 72 * (1 - a2 / 110)))));
-  const real c = 1 - a2 / 2 * (1 - a2 / 12 * (1 - a2 / 30 * (1 - a2 / 56 * (1 - a2 / 90 * (1 - a2 / 132)))));
-  return normalized(Rot{c, s} * q);
+  if (!(std::abs(angle) < largest_small_turn)) return normalized(Rot(angle) * q);
+  const SmallTurn<real> turn = small_turn(angle);
+  return normalized(Rot{turn.c, turn.s} * q);
 }
 
 /// Turns a body by its own spin for `h` seconds.

@@ -4,34 +4,19 @@
 /// looked at with one instruction.
 
 #include <bit>
-#include <cstdint>
-#include <cstring>
-#include <type_traits>
 
 #include "engine/clip.h"
+#include "engine/lanes.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
-
-/// Four floats or two doubles at once. This is how GCC and Clang spell it on every processor, WebAssembly included:
-/// each lane computes what a plain number would, so the bits are those of the loop over single numbers.
-using Lanes [[gnu::vector_size(16)]] = real;
-inline constexpr int lanes = sizeof(Lanes) / sizeof(real);
-
-/// Whole numbers as wide, which is what a comparison of lanes gives: all bits set where it holds.
-using Mark = std::conditional_t<sizeof(real) == 4, std::int32_t, std::int64_t>;
-using Marks [[gnu::vector_size(16)]] = Mark;
 
 /// One number per corner of a hull, in whole lanes.
 struct Row {
   alignas(Lanes) real of[max_polygon_vertices];
 
-  Lanes at(int i) const {
-    Lanes values;
-    std::memcpy(&values, of + i, sizeof(Lanes));
-    return values;
-  }
-  void set(int i, Lanes values) { std::memcpy(of + i, &values, sizeof(Lanes)); }
+  Lanes at(int i) const { return lanes_at(of + i); }
+  void set(int i, Lanes values) { put_lanes(of + i, values); }
 };
 
 /// A hull in A's frame, coordinate by coordinate. Places behind the last corner repeat corner 0, as in Hull, which

@@ -244,11 +244,12 @@ void ExactContacts::group_by_bodies(const ContactSolver& contacts, const JointSo
   std::transform(motions.begin(), motions.end(), takes_part.begin(), is_moved);
   std::vector<Link> links;
   links.reserve(contacts.constraints().size());
-  for (const ContactConstraint& c : contacts.constraints()) links.push_back({c.body_a, c.body_b});
   const std::size_t joint_groups = joints != nullptr ? joints->group_count() : 0;
+  // Joints first: as long as bodies stand alone they are united at a glance.
   for (std::size_t g = 0; g < joint_groups; ++g) {
     for (const BodyIndex body : joints->bodies_of(g)) links.push_back({joints->bodies_of(g).front(), body});
   }
+  for (const ContactConstraint& c : contacts.constraints()) links.push_back({c.body_a, c.body_b});
   used_ = 0;
   const std::vector<std::uint32_t> island = number_islands(takes_part, links);
   const std::size_t none = motions.size();

@@ -86,14 +86,33 @@ struct JointPlace {
 /// What only few kinds look at.
 void add_axis_and_ropes(JointPlace& place, const Joint& joint, const std::vector<Body>& bodies, const Motion& a,
                         const Motion& b);
-inline JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const Motion& a, const Motion& b) {
+/// Whether there is something for `add_axis_and_ropes` to add.
+inline bool has_axis_or_ropes(const Joint& joint) { return has_axis(joint) || joint.kind == JointKind::pulley; }
+
+/// What of a joint and its bodies stays during a tick and tells, with their motions, where the joint stands. Those who
+/// ask several times in every substep keep it at hand: joints and bodies are large.
+struct Anchors {
+  Vec2 local_a;
+  Vec2 local_b;
+  Vec2 centers;  ///< from centre to centre at the start of the tick
+  real angle = 0;
+};
+inline Anchors anchors_of(const Joint& joint, const std::vector<Body>& bodies) {
+  return {joint.local_a, joint.local_b, bodies[joint.body_b].center - bodies[joint.body_a].center, joint.angle};
+}
+/// Without axes and ropes.
+inline JointPlace place_of(const Anchors& anchors, const Motion& a, const Motion& b) {
   JointPlace p;
-  p.arm_a = rotate(a.rotation, joint.local_a);
-  p.arm_b = rotate(b.rotation, joint.local_b);
-  p.centers = (bodies[joint.body_b].center - bodies[joint.body_a].center) + (b.delta - a.delta);
+  p.arm_a = rotate(a.rotation, anchors.local_a);
+  p.arm_b = rotate(b.rotation, anchors.local_b);
+  p.centers = anchors.centers + (b.delta - a.delta);
   p.gap = p.centers + (p.arm_b - p.arm_a);
-  p.turn = (b.angle - a.angle) - joint.angle;
-  if (has_axis(joint) || joint.kind == JointKind::pulley) add_axis_and_ropes(p, joint, bodies, a, b);
+  p.turn = (b.angle - a.angle) - anchors.angle;
+  return p;
+}
+inline JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const Motion& a, const Motion& b) {
+  JointPlace p = place_of(anchors_of(joint, bodies), a, b);
+  if (has_axis_or_ropes(joint)) add_axis_and_ropes(p, joint, bodies, a, b);
   return p;
 }
 inline JointPlace place_of(const Joint& joint, const std::vector<Body>& bodies, const std::vector<Motion>& motions) {

@@ -4,10 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/joint_pins.h"
 #include "engine/joints/kinds.h"
+#include "engine/lanes.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
+namespace {
+
+/// Of angles and one radian.
+constexpr real angle_scale = real(0.125);
+
+}  // namespace
 
 JointGroup::JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<Joint>& joints,
                        const std::vector<Motion>& motions, RowsWanted wanted) {
@@ -17,7 +25,7 @@ JointGroup::JointGroup(const std::vector<std::uint32_t>& ids, const std::vector<
   }
   std::sort(seen_.begin(), seen_.end());
   seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
-  ahead_.resize(seen_.size());
+  ahead_.resize(in_whole_lanes(seen_.size()));
   for (const std::uint32_t i : ids) add_link(i, joints, wanted);
   ahead_places_.resize(links_.size());
   couple(motions);
@@ -29,8 +37,16 @@ void JointGroup::add_link(std::uint32_t id, const std::vector<Joint>& joints, Ro
   const auto place = [this](BodyIndex body) {
     return static_cast<int>(std::lower_bound(seen_.begin(), seen_.end(), body) - seen_.begin());
   };
-  links_.push_back({id, static_cast<int>(rows_.size()), static_cast<int>(plans.size()), place(joints[id].body_a),
-                    place(joints[id].body_b)});
+  Link& link = links_.emplace_back();
+  link.joint = id;
+  link.first_row = static_cast<int>(rows_.size());
+  link.row_count = static_cast<int>(plans.size());
+  link.body_a = joints[id].body_a;
+  link.body_b = joints[id].body_b;
+  link.place_a = place(link.body_a);
+  link.place_b = place(link.body_b);
+  link.plain = !has_axis_or_ropes(joints[id]);
+  link.pin = plans.size() >= 2 && JointPins::is_pin(plans[0], plans[1]) && link.body_a != link.body_b;
   for (std::size_t slot = 0; slot < plans.size(); ++slot) {
     const RowPlan& plan = plans[slot];
     if (plan.bound != Bound::equal) bounded_.push_back(static_cast<int>(rows_.size()));
@@ -46,38 +62,36 @@ void JointGroup::add_link(std::uint32_t id, const std::vector<Joint>& joints, Ro
   }
 }
 
-void JointGroup::linearize(const JointedBodies& scene) {
-  stale_ |= masses_changed(scene.motions);
-  for (const Link& link : links_) {
-    const Joint& joint = scene.joints[link.joint];
-    const JointPlace place = place_of(joint, scene.bodies, scene.motions);
-    for (Row& row : rows_of(link)) linearize_row(row, joint, place, scene);
-  }
+void JointGroup::begin_tick(const JointedBodies& scene) {
+  for (Link& link : links_) link.anchors = anchors_of(scene.joints[link.joint], scene.bodies);
 }
 
-void JointGroup::linearize_row(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
-  const bool driven = row.plan.bound == Bound::driven;
-  const real before = driven ? speed_of(row.terms, scene.motions) : 0;
-  row.value = value_of(row.plan, joint, place, scene, 0);
-  direct(row, joint, place, scene);
-  if (driven) row.drifted = real(0.5) * (before + speed_of(row.terms, scene.motions));
-  row.scale = scale_of(row, scene);
-}
-
-/// What only turns always does so in the same direction; the directions of pins stay, but their arms turn.
-void JointGroup::direct(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+/// Pins and stops, most of all rows, once they have been linearized: what only turns always does so in the same
+/// direction; the directions of pins stay, but their arms turn. False for all others, for which nothing is done.
+inline bool JointGroup::follow(Row& row, const JointPlace& place, const Motion& a, const Motion& b) {
   Term& term = row.terms.terms[0];
+  const Coordinate coordinate = row.plan.coordinate;
   const bool known = term.arm_a != 0;
-  if (row.plan.coordinate == Coordinate::turn && known) return;
-  const bool is_pin = row.plan.coordinate == Coordinate::anchor_x || row.plan.coordinate == Coordinate::anchor_y;
-  if (is_pin && known) {
-    const real arm_a = cross(place.arm_a, term.direction);
-    const real arm_b = cross(place.arm_b, term.direction);
-    stale_ |= arm_a != term.arm_a || arm_b != term.arm_b;
-    term.arm_a = arm_a;
-    term.arm_b = arm_b;
-    return;
+  if (!known || row.plan.bound == Bound::driven) return false;
+  if (coordinate == Coordinate::turn) {
+    row.value = row.plan.sign * (place.turn - row.plan.offset);
+    row.scale = angle_scale * (1 + std::abs(a.angle) + std::abs(b.angle));  // as in scale_of: both arms are 1 or -1
+    return true;
   }
+  if (coordinate != Coordinate::anchor_x && coordinate != Coordinate::anchor_y) return false;
+  row.value = row.plan.sign * ((coordinate == Coordinate::anchor_x ? place.gap.x : place.gap.y) - row.plan.offset);
+  const real arm_a = cross(place.arm_a, term.direction);
+  const real arm_b = cross(place.arm_b, term.direction);
+  stale_ |= (arm_a != term.arm_a) | (arm_b != term.arm_b);
+  term.arm_a = arm_a;
+  term.arm_b = arm_b;
+  return true;
+}
+
+/// What only turns always does so in the same direction.
+inline void JointGroup::direct(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene) {
+  const bool known = row.terms.terms[0].arm_a != 0;
+  if (row.plan.coordinate == Coordinate::turn && known) return;
   const Terms terms = terms_of(row.plan, joint, place, scene);
   stale_ |= terms != row.terms;
   row.terms = terms;
@@ -85,7 +99,7 @@ void JointGroup::direct(Row& row, const Joint& joint, const JointPlace& place, c
 
 /// Metres are measured by the joint's size and the way to its stop; angles by themselves, for the last digits of many
 /// turns are lost.
-real JointGroup::scale_of(const Row& row, const JointedBodies& scene) const {
+inline real JointGroup::scale_of(const Row& row, const JointedBodies& scene) const {
   const real size = scene.joints[row.joint].size;
   if (row.plan.coordinate == Coordinate::stretch) return size;
   if (row.plan.coordinate != Coordinate::turn && row.plan.coordinate != Coordinate::geared)
@@ -96,7 +110,29 @@ real JointGroup::scale_of(const Row& row, const JointedBodies& scene) const {
     angles += std::abs(term.arm_a * scene.motions[term.body_a].angle);
     angles += std::abs(term.arm_b * scene.motions[term.body_b].angle);
   }
-  return real(0.125) * angles;
+  return angle_scale * angles;
+}
+
+inline void JointGroup::linearize_row(Row& row, const Joint& joint, const JointPlace& place,
+                                      const JointedBodies& scene) {
+  const bool driven = row.plan.bound == Bound::driven;
+  const real before = driven ? speed_of(row.terms, scene.motions) : 0;
+  row.value = value_of(row.plan, joint, place, scene, 0);
+  direct(row, joint, place, scene);
+  if (driven) row.drifted = real(0.5) * (before + speed_of(row.terms, scene.motions));
+  row.scale = scale_of(row, scene);
+}
+
+void JointGroup::linearize(const JointedBodies& scene) {
+  stale_ |= masses_changed(scene.motions);
+  for (const Link& link : links_) {
+    const Motion& a = scene.motions[link.body_a];
+    const Motion& b = scene.motions[link.body_b];
+    const JointPlace place = place_on(link, scene, a, b);
+    for (Row& row : rows_of(link)) {
+      if (!follow(row, place, a, b)) linearize_row(row, scene.joints[link.joint], place, scene);
+    }
+  }
 }
 
 /// At the end of a substep, before directions change.

@@ -40,7 +40,9 @@ class JointGroup {
   std::uint32_t first_joint() const { return rows_.front().joint; }
   /// Joints of one group sleep together.
   bool acts(const std::vector<Joint>& joints) const { return joints[rows_.front().joint].acts; }
-  /// Takes directions from the present positions. Call after every drift.
+  /// Looks where its anchors are. Call at the start of every tick, and then `linearize`.
+  void begin_tick(const JointedBodies& scene);
+  /// Takes directions from the present positions. Call after every drift, and at the start of a tick.
   void linearize(const JointedBodies& scene);
   /// Starts a substep of `h` from the impulses of the one before; motors give the `share` of them that belongs before
   /// the drift.
@@ -110,6 +112,11 @@ class JointGroup {
     int row_count = 0;
     int place_a = 0;  ///< of its bodies in `seen_`
     int place_b = 0;
+    BodyIndex body_a = 0;
+    BodyIndex body_b = 0;
+    Anchors anchors;     ///< in this tick
+    bool plain = false;  ///< it has neither axis nor ropes
+    bool pin = false;    ///< its first two rows are those of a pin, which always hold
   };
   /// One body as a joint moves it.
   struct Side {
@@ -123,18 +130,13 @@ class JointGroup {
     BodyIndex body = 0;
     int place = 0;  ///< of the block
     // As the rows are numbered at present.
-    int first_row = 0;
-    int rows_end = 0;
-    int first_column = 0;
-    int columns_end = 0;
+    int rows = 0;
+    int columns = 0;
+    std::size_t row_levers = 0;  ///< the first one's place in `levers_`
+    std::size_t column_levers = 0;
     BlockMatrix::Spot spot;
   };
 
-  /// How a row pushes a body: along a direction and by an arm.
-  struct Lever {
-    Vec2 direction;
-    real arm = 0;
-  };
   struct InverseMass {
     real inv_mass = 0;
     real inv_inertia = 0;
@@ -151,6 +153,9 @@ class JointGroup {
   void find_levers();
   void find_spots();
   void fill(const std::vector<Motion>& motions);
+  std::size_t place_of_levers(std::size_t side, int row) const {
+    return 3 * side * rows_.size() + static_cast<std::size_t>(row);
+  }
   real factor_with(real give);
   /// The system of the rows that hold in this stage; factored anew only where something has changed.
   void prepare(const JointedBodies& scene, bool for_velocities);
@@ -174,6 +179,13 @@ class JointGroup {
     push(row.terms, impulse, scene.motions);
     row.given += impulse;
   }
+  /// Where the joint of a link stands when its bodies are where `a` and `b` are.
+  JointPlace place_on(const Link& link, const JointedBodies& scene, const Motion& a, const Motion& b) const {
+    JointPlace place = place_of(link.anchors, a, b);
+    if (!link.plain) add_axis_and_ropes(place, scene.joints[link.joint], scene.bodies, a, b);
+    return place;
+  }
+  bool follow(Row& row, const JointPlace& place, const Motion& a, const Motion& b);
   void linearize_row(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
   void direct(Row& row, const Joint& joint, const JointPlace& place, const JointedBodies& scene);
   real miss_of(const Row& row, const JointedBodies& scene, real h) const {
@@ -184,6 +196,8 @@ class JointGroup {
   // Positions (joint_group_positions.cpp).
   bool set_goals(const JointedBodies& scene, real h);
   real predict(const JointedBodies& scene, real h);
+  void look_ahead(const Link& link, const JointedBodies& scene, JointPlace& place) const;
+  real aim(real h);
   bool iterate(const JointedBodies& scene, real h);
   bool settle_positions(const JointedBodies& scene, real h, bool one_at_a_time);
   bool arrive_evenly(const JointedBodies& scene, real h);
@@ -220,8 +234,9 @@ class JointGroup {
   std::vector<InverseMass> factored_with_;  ///< of `bodies_`, when the system was factored
   std::vector<Coupling> couplings_;
   BlockMatrix matrix_;
-  std::vector<std::array<Lever, 4>> levers_;  ///< of the rows of the system, by side
-  std::vector<real> right_side_;              ///< by the numbers of the system
+  std::vector<real> levers_;      ///< how its rows push: x, y and arm of all rows on their first side, then on the next
+  std::vector<real> right_side_;  ///< by the numbers of the system, in whole lanes
+  std::vector<real> scales_;      ///< scratch: of the same rows
   bool too_dense_ = false;
   bool renumber_ = true;    ///< other rows hold than when the system was made
   bool stale_ = true;       ///< directions or masses have changed since the system was factored

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/drift.h"
 #include "engine/joint_group.h"
+#include "engine/lanes.h"
 #include "engine/work.h"
 
 namespace proofreel {
@@ -33,26 +35,57 @@ bool JointGroup::set_goals(const JointedBodies& scene, real h) {
   return torn;
 }
 
-/// Puts into the right side by how much each row would miss its goal after drifting for `h`; the largest miss of those
-/// that hold comes back, in units of its scale.
+/// Where the joint of a link will be. Most need no more of that than these two.
+inline void JointGroup::look_ahead(const Link& link, const JointedBodies& scene, JointPlace& place) const {
+  const Motion& a = ahead_[static_cast<std::size_t>(link.place_a)];
+  const Motion& b = ahead_[static_cast<std::size_t>(link.place_b)];
+  if (!link.plain) {
+    place = place_on(link, scene, a, b);
+    return;
+  }
+  const JointPlace plain = place_of(link.anchors, a, b);
+  place.gap = plain.gap;
+  place.turn = plain.turn;
+}
+
+/// Turns what is missed into the speeds that would make up for it. The largest miss comes back, in units of its scale.
+/// (Divisions are slow, and there are two for every row.)
+inline real JointGroup::aim(real h) {
+  Lanes worst{};
+  for (std::size_t k = 0; k < on_.size(); k += lanes) {
+    const Lanes miss = lanes_at(&right_side_[k]);
+    const Lanes size = (miss < 0 ? -miss : miss) / lanes_at(&scales_[k]);
+    worst = size > worst ? size : worst;
+    put_lanes(&right_side_[k], -miss / h);
+  }
+  real all = worst[0];
+  for (int lane = 1; lane < lanes; ++lane) all = std::max(all, worst[lane]);
+  return all;
+}
+
+/// Puts into the right side by how much each row would miss its goal after drifting for `h`, and goes on with `aim`.
 real JointGroup::predict(const JointedBodies& scene, real h) {
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    ahead_[i] = scene.motions[seen_[i]];
-    drift(ahead_[i], h);
-  }
+  for (std::size_t i = 0; i < seen_.size(); ++i) ahead_[i] = scene.motions[seen_[i]];
+  drift(ahead_, h);
+  std::size_t k = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    ahead_places_[i] =
-        place_of(scene.joints[links_[i].joint], scene.bodies, ahead_[static_cast<std::size_t>(links_[i].place_a)],
-                 ahead_[static_cast<std::size_t>(links_[i].place_b)]);
+    const Link& link = links_[i];
+    look_ahead(link, scene, ahead_places_[i]);
+    const std::size_t end = k + static_cast<std::size_t>(links_on_[i]);
+    if (link.pin) {
+      const Row* rows = rows_.data() + link.first_row;
+      right_side_[k] = ahead_places_[i].gap.x - rows[0].goal;
+      right_side_[k + 1] = ahead_places_[i].gap.y - rows[1].goal;
+      scales_[k] = rows[0].scale;
+      scales_[k + 1] = rows[1].scale;
+      k += 2;
+    }
+    for (; k < end; ++k) {
+      right_side_[k] = miss_of(on_row(k), scene, h);
+      scales_[k] = on_row(k).scale;
+    }
   }
-  real worst = 0;
-  for (std::size_t k = 0; k < on_.size(); ++k) {
-    const Row& row = on_row(k);
-    const real miss = miss_of(row, scene, h);
-    right_side_[k] = -miss / h;
-    worst = std::max(worst, std::abs(miss) / row.scale);
-  }
-  return worst;
+  return aim(h);
 }
 
 /// Newton's method with the directions at the start of the substep. False where it does not arrive.

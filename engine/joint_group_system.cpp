@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/joint_group.h"
+#include "engine/lanes.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -71,6 +72,8 @@ void JointGroup::plan_matrix() {
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
   for (const Link& link : links_) links_on_.push_back(link.row_count);
+  levers_.resize(12 * rows_.size());
+  scales_.resize(in_whole_lanes(rows_.size()), 1);
   too_dense_ = !matrix_.plan(std::move(below), links_on_, most_work);
   if (too_dense_) return;
   for (Coupling& k : couplings_) k.place = matrix_.place_of(k.row.link, k.column.link);
@@ -114,52 +117,76 @@ void JointGroup::number_rows() {
     }
     links_on_[i] = static_cast<int>(on_.size() - before);
   }
-  right_side_.assign(on_.size(), 0);
-  levers_.resize(on_.size());
+  right_side_.assign(in_whole_lanes(on_.size()), 0);
   matrix_.resize(links_on_);
   find_spots();
 }
 
 void JointGroup::find_spots() {
   for (Coupling& k : couplings_) {
-    k.first_row = matrix_.first(k.row.link);
-    k.rows_end = matrix_.first(k.row.link + 1);
-    k.first_column = matrix_.first(k.column.link);
-    k.columns_end = matrix_.first(k.column.link + 1);
+    k.rows = links_on_[static_cast<std::size_t>(k.row.link)];
+    k.columns = links_on_[static_cast<std::size_t>(k.column.link)];
+    k.row_levers = place_of_levers(k.row.side, matrix_.first(k.row.link));
+    k.column_levers = place_of_levers(k.column.side, matrix_.first(k.column.link));
     k.spot = matrix_.spot(k.place);
   }
 }
 
-/// J M^-1 J^T, body by body.
+namespace {
+
+/// The body's part of one row, or of two, in a block: `Numbers` are a real or a pair of them. `mine` and `others` point
+/// at the first of its levers and of those of the block's columns; `count` further are their next components.
+template <typename Numbers>
+[[gnu::always_inline]] inline void add_products(const real* mine, const real* others, int columns, std::size_t count,
+                                                Numbers inv_mass, Numbers inv_inertia, real* entries,
+                                                std::size_t stride) {
+  const Numbers x = inv_mass * packed<Numbers>(mine);
+  const Numbers y = inv_mass * packed<Numbers>(mine + count);
+  const Numbers spin = inv_inertia * packed<Numbers>(mine + 2 * count);
+  for (const real* end = others + columns; others != end; ++others, entries += stride) {
+    const Numbers product = (others[0] * x + others[count] * y) + others[2 * count] * spin;
+    put_packed(entries, packed<Numbers>(entries) + product);
+  }
+}
+
+}  // namespace
+
+/// J M^-1 J^T, body by body. Rows go in pairs, as those of pins are. A third one goes with the second again, to which
+/// it adds zeros; on the diagonal what is filled above it does not count.
 void JointGroup::fill(const std::vector<Motion>& motions) {
   matrix_.clear();
+  const std::size_t count = rows_.size();
   for (const Coupling& k : couplings_) {
     const Motion& m = motions[k.body];
+    const real* mine = levers_.data() + k.row_levers;
+    const real* others = levers_.data() + k.column_levers;
     const BlockMatrix::Block block = matrix_.block(k.spot);
-    const std::array<Lever, 4>* lever = levers_.data() + k.first_row;
-    real* entries = block.values;
-    for (int r = k.first_row; r < k.rows_end; ++r, ++lever, ++entries) {
-      const Lever& mine = (*lever)[k.row.side];
-      const Vec2 speed = m.inv_mass * mine.direction;
-      const real spin = m.inv_inertia * mine.arm;
-      const std::array<Lever, 4>* others = levers_.data() + k.first_column;
-      const std::array<Lever, 4>* end = levers_.data() + std::min(r + 1, k.columns_end);
-      for (real* entry = entries; others != end; ++others, entry += block.stride) {
-        const Lever& other = (*others)[k.column.side];
-        *entry += dot(other.direction, speed) + other.arm * spin;
-      }
+    const auto fill_rows = [&](int row, auto inv_mass, auto inv_inertia) {
+      add_products(mine + row, others, k.columns, count, inv_mass, inv_inertia, block.values + row, block.stride);
+    };
+    if (k.rows == 1) fill_rows(0, m.inv_mass, m.inv_inertia);
+    int row = 0;
+    for (; row + 2 <= k.rows; row += 2) {
+      fill_rows(row, Pair{m.inv_mass, m.inv_mass}, Pair{m.inv_inertia, m.inv_inertia});
     }
+    if (row > 0 && row < k.rows) fill_rows(row - 1, Pair{0, m.inv_mass}, Pair{0, m.inv_inertia});
   }
 }
 
 /// How the rows that hold push the bodies on their sides.
 void JointGroup::find_levers() {
+  const std::size_t count = rows_.size();
   for (std::size_t k = 0; k < on_.size(); ++k) {
     const Terms& terms = on_row(k).terms;
-    for (int t = 0; t < terms.count; ++t) {
+    real* levers = levers_.data() + k;
+    for (int t = 0; t < terms.count; ++t, levers += 6 * count) {
       const Term& term = terms.terms[t];
-      levers_[k][static_cast<std::size_t>(2 * t)] = {-term.direction, -term.arm_a};
-      levers_[k][static_cast<std::size_t>(2 * t + 1)] = {term.direction, term.arm_b};
+      levers[0] = -term.direction.x;
+      levers[count] = -term.direction.y;
+      levers[2 * count] = -term.arm_a;
+      levers[3 * count] = term.direction.x;
+      levers[4 * count] = term.direction.y;
+      levers[5 * count] = term.arm_b;
     }
   }
 }

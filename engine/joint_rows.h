@@ -99,12 +99,13 @@ Terms terms_of(const RowPlan& plan, const Joint& joint, const JointPlace& place,
 real coordinate_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
                    real ahead);
 
-/// C of a row. Most rows are those of pins.
+/// C of a row. Most rows are those of pins, and of rods.
 inline real value_of(const RowPlan& plan, const Joint& joint, const JointPlace& place, const JointedBodies& scene,
                      real ahead) {
   const real now = plan.coordinate == Coordinate::anchor_x   ? place.gap.x
                    : plan.coordinate == Coordinate::anchor_y ? place.gap.y
                    : plan.coordinate == Coordinate::turn     ? place.turn
+                   : plan.coordinate == Coordinate::stretch  ? length(place.gap)
                                                              : coordinate_of(plan, joint, place, scene, ahead);
   return plan.sign * (now - plan.offset);
 }

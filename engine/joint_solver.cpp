@@ -118,6 +118,11 @@ void JointSolver::lay_aside_sleepers(const std::vector<Joint>& joints) {
   put_in_order(asleep_);
 }
 
+void JointSolver::begin_tick(const JointedBodies& scene) {
+  for (JointGroup& group : groups_) group.begin_tick(scene);
+  linearize(scene);
+}
+
 void JointSolver::linearize(const JointedBodies& scene) {
   for (JointGroup& group : groups_) group.linearize(scene);
   sweeps_.linearize(scene);

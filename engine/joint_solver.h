@@ -45,6 +45,7 @@ class JointSolver {
   JointGroup& group(std::size_t group) { return groups_[group]; }
 
   // All joints; what each of these does is told in joint_group.h.
+  void begin_tick(const JointedBodies& scene);
   void linearize(const JointedBodies& scene);
   void begin_substep(const JointedBodies& scene, real h, real share);
   void add_share(const JointedBodies& scene, real share);

@@ -20,10 +20,6 @@ constexpr real contact_stiffness = real(0.125);
 constexpr EffectSet effects_of_free_bodies{Effect::gravity,     Effect::drag, Effect::wind,    Effect::friction,
                                            Effect::restitution, Effect::ccd,  Effect::sensors, Effect::sleeping};
 
-std::uint64_t unordered_key(BodyIndex a, BodyIndex b) {
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-}
-
 }  // namespace
 
 World::World(const Scene& scene)
@@ -108,9 +104,11 @@ void World::rebuild_if_changed() {
 
 void World::rebuild_joints() {
   if (on(Effect::joints)) joint_solver_.rebuild(joints_, motions_, {on(Effect::limits), on(Effect::motors)});
-  hinged_.clear();
+  hinged_ = PairSet();
   for (const Joint& joint : joints_) {
-    if (joint.alive && lets_overlap(joint.kind)) hinged_.insert(unordered_key(joint.body_a, joint.body_b));
+    if (joint.alive && lets_overlap(joint.kind)) {
+      hinged_.insert(std::min(joint.body_a, joint.body_b), std::max(joint.body_a, joint.body_b));
+    }
   }
 }
 
@@ -169,7 +167,7 @@ void World::prepare_solvers() {
     });
   }
   if (on(Effect::joints)) {
-    timed(StepStage::joint_solver, [this] { joint_solver_.linearize(jointed()); });
+    timed(StepStage::joint_solver, [this] { joint_solver_.begin_tick(jointed()); });
   }
 }
 
@@ -339,7 +337,7 @@ void World::take_positions() {
 }
 
 bool World::hinged_together(BodyIndex a, BodyIndex b) const {
-  return on(Effect::joints) && hinged_.contains(unordered_key(a, b));
+  return on(Effect::joints) && hinged_.contains(std::min(a, b), std::max(a, b));
 }
 
 std::unique_ptr<Simulation> make_world(const Scene& scene) { return std::make_unique<World>(scene); }

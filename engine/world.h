@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <memory>
-#include <unordered_set>
 #include <vector>
 
 #include "engine/broad_phase.h"
@@ -19,6 +18,7 @@
 #include "engine/islands.h"
 #include "engine/joint.h"
 #include "engine/joint_solver.h"
+#include "engine/pair_set.h"
 #include "engine/rocket.h"
 #include "engine/simulation.h"
 #include "engine/sleep.h"
@@ -349,11 +349,11 @@ class World final : public Simulation {
   ExactContacts exact_contacts_;
   JointSolver joint_solver_;
   SmoothIntegrator smooth_integrator_;
-  std::vector<Motion> pulled_;                ///< scratch: places of now, velocities that forces would give in a second
-  bool diverged_ = false;                     ///< an implicit integrator found no solution
-  std::unordered_set<std::uint64_t> hinged_;  ///< pairs of bodies whose joint lets them overlap
-  std::vector<Touch> touches_;                ///< by contact, during a tick
-  bool locating_ = false;                     ///< impacts are located: nothing is held back before it touches
+  std::vector<Motion> pulled_;  ///< scratch: places of now, velocities that forces would give in a second
+  bool diverged_ = false;       ///< an implicit integrator found no solution
+  PairSet hinged_;              ///< pairs of bodies whose joint lets them overlap
+  std::vector<Touch> touches_;  ///< by contact, during a tick
+  bool locating_ = false;       ///< impacts are located: nothing is held back before it touches
   std::vector<ContactEvent> events_;
   std::vector<SeparationEvent> separation_events_;
   std::vector<SeparationEvent> separated_by_commands_;  ///< told after the next tick

@@ -162,7 +162,7 @@ void BroadPhase::exchange(Archive& archive, Self& broad_phase) {
 template <typename Archive, typename Self>
 void JointGroup::exchange(Archive& archive, Self& group) {
   [[maybe_unused]] auto& [rows, links, bounded, on, links_on, bodies, seen, ahead, ahead_places, factored_with,
-                          couplings, matrix, levers, right_side, too_dense, renumber, stale, redundant, uneven,
+                          couplings, matrix, levers, right_side, scales, too_dense, renumber, stale, redundant, uneven,
                           strained, equal, one_sided, driven, work, moved_from] = group;
   archive(redundant, uneven, strained);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/drag.h"
+#include "engine/drift.h"
 #include "engine/impact.h"
 #include "engine/world.h"
 
@@ -120,9 +121,7 @@ void World::drag_all(real h) {
   }
 }
 
-void World::drift_all(real h) {
-  for (Motion& motion : motions_) drift(motion, h);
-}
+void World::drift_all(real h) { drift(motions_, h); }
 
 }  // namespace PROOFREEL_PRECISION
 }  // namespace proofreel
