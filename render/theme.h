@@ -35,7 +35,7 @@ struct Palette {
   Color tree;
   Color box;                     ///< tight boxes of shapes
   Color joint;                   ///< pivots, rods, springs
-  std::array<Color, 5> vectors;  ///< by VectorOf
+  std::array<Color, 6> vectors;  ///< by VectorOf
   std::array<Color, 6> curves;
   std::array<Color, 3> forces;  ///< of contacts along the normal, by friction, of joints
   std::array<Tone, 7> islands;

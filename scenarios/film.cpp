@@ -50,8 +50,8 @@ Vec2d contact_impulse(const Snapshot& snapshot, BodyId body) {
   return sum;
 }
 
-Vec2d quantity(const Snapshot& snapshot, const BodyView& body, VectorOf of) {
-  switch (of) {
+Vec2d quantity(const Snapshot& snapshot, const BodyView& body, const VectorMark& mark) {
+  switch (mark.of) {
     case VectorOf::velocity:
       return body.state.velocity;
     case VectorOf::force:
@@ -62,6 +62,8 @@ Vec2d quantity(const Snapshot& snapshot, const BodyView& body, VectorOf of) {
       return body.state.mass > 0 ? (1 / body.state.mass) * body.force : Vec2d{};
     case VectorOf::contact_impulse:
       return contact_impulse(snapshot, body.id);
+    case VectorOf::given:
+      return mark.value;
   }
   return {};
 }
@@ -70,9 +72,9 @@ std::vector<ArrowView> arrows(const Picture& picture, const Snapshot& snapshot) 
   std::vector<ArrowView> views;
   for (const VectorMark& mark : picture.vectors) {
     const BodyView* body = find_body(snapshot, mark.body);
-    if (body == nullptr) continue;
-    const Vec2d from = body->state.center;
-    views.push_back({mark.of, from, from + mark.scale * quantity(snapshot, *body, mark.of), body->id});
+    if (body == nullptr || snapshot.time < mark.from || snapshot.time >= mark.to) continue;
+    const Vec2d from = mark.point ? to_world(body->pose, *mark.point) : body->state.center;
+    views.push_back({mark.of, from, from + mark.scale * quantity(snapshot, *body, mark), body->id});
   }
   return views;
 }

@@ -78,13 +78,32 @@ int label(lua_State* state) {
   return 0;
 }
 
+/// Of what the arrow is: a quantity of the body by its name, or a vector that is given.
+void read_quantity(const Fields& fields, VectorMark& mark) {
+  if (!fields.push("of")) fields.missing("of");
+  const bool is_given = lua_type(fields.state(), -1) == LUA_TTABLE;
+  lua_pop(fields.state(), 1);
+  if (is_given) {
+    mark.of = VectorOf::given;
+    mark.value = fields.required("of", fields.vector("of", Range::place));
+  } else {
+    mark.of = static_cast<VectorOf>(fields.required("of", fields.choice("of", vector_names)));
+  }
+}
+
 int vector(lua_State* state) {
-  static constexpr Name keys[] = {{"body"}, {"of"}, {"scale"}};
+  static constexpr Name keys[] = {{"body"}, {"of"}, {"scale"}, {"point"}, {"from"}, {"to"}};
   const Fields fields(state, 1, "vector", keys);
   Model& model = drawing_model(state, "vector");
-  const BodyId body = read_body(fields, "body");
-  const auto of = static_cast<VectorOf>(fields.required("of", fields.choice("of", vector_names)));
-  model.scenario.picture.vectors.push_back({body, of, fields.number("scale", Range::positive).value_or(1)});
+  VectorMark mark;
+  mark.body = read_body(fields, "body");
+  read_quantity(fields, mark);
+  mark.scale = fields.number("scale", Range::positive).value_or(1);
+  mark.point = fields.vector("point", Range::place);
+  mark.from = fields.number("from", Range::not_negative).value_or(0);
+  mark.to = fields.number("to", Range::not_negative).value_or(forever);
+  if (mark.to <= mark.from) fields.refuse("to", "must come after from");
+  model.scenario.picture.vectors.push_back(mark);
   return 0;
 }
 

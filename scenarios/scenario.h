@@ -4,6 +4,7 @@
 /// it.
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,13 +87,17 @@ struct Label {
   std::string text;
 };
 
-enum class VectorOf : std::uint8_t { velocity, force, momentum, acceleration, contact_impulse };
+enum class VectorOf : std::uint8_t { velocity, force, momentum, acceleration, contact_impulse, given };
 
-/// An arrow at a body's centre, `scale` metres long per unit of the quantity.
+/// An arrow at a body, `scale` metres long per unit of the quantity, from scene time `from` until `to`.
 struct VectorMark {
   BodyId body{};
   VectorOf of = VectorOf::velocity;
   double scale = 1;
+  Vec2d value{};               ///< world; of a given one
+  std::optional<Vec2d> point;  ///< body coordinates, where it begins; the centre of mass where not given
+  double from = 0;
+  double to = std::numeric_limits<double>::infinity();
 };
 
 struct TrailMark {

@@ -5,7 +5,7 @@ scenario {
   title = "A force through and beside the centre",
   description = "Two equal bars get the same push: both centres move alike, one bar turns as well.",
   duration = 4.5, gravity = {0, 0}, view = { center = {-0.6, 0}, height = 6 }, layers = { "bodies", "trails", "vectors", "labels" },
-  golden = { frames = {20, 100, 240, 329}, size = {640, 360} },
+  golden = { frames = {20, 60, 100, 240, 329}, size = {640, 360} },
 }
 
 local function bar(name, y)
@@ -23,12 +23,15 @@ at(0.5, function()
   beside:impulse({push, 0}, {beside:center().x, beside:center().y + arm})
 end)
 
+vector { body = through, of = {push, 0}, from = 0.5, to = 0.51 }
+vector { body = beside, of = {push, 0}, point = {0, arm}, from = 0.5, to = 0.51 }
+
 section { at = 0, name = "At rest" }
 section { at = 0.5, name = "One push for both" }
 section { at = 2.5, name = "What is equal, what is not" }
 freeze { at = 0.5, seconds = 1 }
 caption { text = "Two equal bars at rest", from = 0, to = 0.5 }
-caption { text = "The same impulse $J$, once through the centre of mass and once at distance $d$ from it", from = 0.5, to = 2.5 }
+caption { text = "One impulse $J$ (arrows): through the centre, and at distance $d$ from it", from = 0.5, to = 2.5 }
 caption { text = "Both centres move at $v = \\frac{J}{m}$; one bar turns as well, at $\\omega = \\frac{J d}{I}$", from = 2.5 }
 
 local m = 0.3 * 1.6

@@ -50,6 +50,35 @@ TEST_CASE("A plot that cannot be drawn is refused in one sentence with file and 
   CHECK_THAT(error_of("scenario{}\nplot{y={}}"), Contains("at least one curve"));
 }
 
+TEST_CASE("A vector of a quantity begins at the centre and is as long as its scale says") {
+  auto r = run("vector{body=b, of='momentum', scale=0.25}");
+  const ArrowView arrow = frame_at(r, 100).arrows.at(0);
+  CHECK(distance(arrow.from, {1, 0}) < 1e-12);
+  CHECK(distance(arrow.to, {1.5, 0}) < 1e-12);
+}
+
+TEST_CASE("A vector that is given stands at a point of its body, from one moment until another") {
+  auto r = run("vector{body=b, of={0, 3}, scale=0.5, point={0.25, 0}, from=1, to=2}");
+  CHECK(frame_at(r, 99).arrows.empty());
+  const ArrowView arrow = frame_at(r, 100).arrows.at(0);
+  CHECK(arrow.of == VectorOf::given);
+  CHECK(arrow.from.x == Approx(1.25));
+  CHECK(arrow.to.x == Approx(1.25));
+  CHECK(arrow.to.y == Approx(1.5));
+  CHECK(frame_at(r, 199).arrows.at(0).from.x == Approx(2.24));
+  CHECK(frame_at(r, 200).arrows.empty());
+}
+
+TEST_CASE("A vector of what is neither a quantity nor a vector is refused") {
+  const std::string begin = "scenario{}\nlocal b = body{shape=circle{radius=1}}\nvector{body=b, ";
+  CHECK_THAT(error_of(begin + "}"), Contains("line 3") && Contains("of"));
+  CHECK_THAT(error_of(begin + "of='speed'}"), Contains("line 3") && Contains("velocity"));
+  CHECK_THAT(error_of(begin + "of={1}}"), Contains("of must be a vector {x, y}"));
+  CHECK_THAT(error_of(begin + "of={1, 0/0}}"), Contains("line 3") && Contains("of"));
+  CHECK_THAT(error_of(begin + "of=5}"), Contains("line 3") && Contains("of"));
+  CHECK_THAT(error_of(begin + "of={1, 2}, from=2, to=2}"), Contains("to must come after from"));
+}
+
 TEST_CASE("A highlight comes and goes within three tenths of a second") {
   auto r = run("highlight{body=b, from=1, to=3, text='this'}");
   CHECK(frame_at(r, 99).highlights.empty());
