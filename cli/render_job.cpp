@@ -155,6 +155,7 @@ void render_subtitles(RenderJob& job) {
   if (job.options.stills) throw UsageError("--stills makes pictures, -o NAME.srt subtitles of a film.");
   refuse_film_settings(job.options, job.options.out);
   add_title_card(job);
+  open_shutter(job);
   const OutputFile removed_at_once(job.options.out);  // an unwritable folder is to be found before anything is stepped
   Watched watched(job);
   const std::vector<Cue> cues = subtitles_of(job.scenario, job.request, job.sections, watched.progress());

@@ -6,9 +6,9 @@
 
 #include "golden/compare.h"
 #include "golden/diff_paint.h"
+#include "golden/plain_path.h"
 #include "golden/report_page.h"
 #include "render/output_file.h"
-#include "render/pixel_hash.h"
 #include "render/png.h"
 #include "render/usage_error.h"
 #include "scenarios/environment_error.h"
@@ -40,18 +40,6 @@ void keep_copy(const fs::path& from, const fs::path& to) {
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (error)
     throw EnvironmentError("Cannot copy " + from.string() + " to " + to.string() + ": " + error.message() + ".");
-}
-
-/// The name as a path that is the same in a URL, and leads nowhere else; a hash keeps apart what would become the same.
-std::string path_of(const std::string& name) {
-  std::string path;
-  for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    path += plain || c == '_' || c == '-' || (c == '/' && !path.empty() && path.back() != '/') ? c : '_';
-  }
-  if (path == name && !path.empty() && path.back() != '/') return path;
-  const std::string hash = bytes_hash({reinterpret_cast<const std::uint8_t*>(name.data()), name.size()});
-  return path.append("-").append(hash.substr(0, 8));
 }
 
 /// "frame 120" as "frame_120": the labels of one entry do not need to be told apart by more.
@@ -109,7 +97,7 @@ ReportFolder::ReportFolder(fs::path path) : path_(std::move(path)) {
 
 void ReportFolder::add_pictures(ReportItem& item, const std::string& entry_name, const fs::path& expected,
                                 const Image& actual) const {
-  const std::string stem = "pictures/" + path_of(entry_name) + "/" + path_of(with_underscores(item.label));
+  const std::string stem = "pictures/" + plain_path(entry_name) + "/" + plain_path(with_underscores(item.label));
   const std::optional<Image> reference = expected.empty() ? std::nullopt : readable(expected);
   if (reference) keep_copy(expected, path_ / (item.expected = stem + "-expected.png"));
   if (actual.rgba.empty()) return;

@@ -27,6 +27,13 @@ struct GalleryChapter {
 /// ScenarioError, naming the file, when it cannot be read or names a scenario that is not there.
 std::vector<GalleryChapter> gallery_chapters(const std::string& folder, const std::vector<std::string>& ids);
 
+/// A scenario that is to be in the gallery.
+struct GalleryScenario {
+  std::string file;
+  std::string id;        ///< its path below the folder of scenarios, without .lua
+  std::string argument;  ///< what `proofreel render` calls it
+};
+
 /// One scenario, filmed.
 struct GalleryEntry {
   std::string id;
@@ -38,11 +45,16 @@ struct GalleryEntry {
   std::string still;
   std::string source;                     ///< the Lua text
   std::vector<std::string> engine_files;  ///< what of the engine it shows at work: "engine/gjk.h"
+  std::string argument;                   ///< what `proofreel render` calls it
 };
 
-/// Films the scenario for the gallery in `folder` (which exists): films/ID.mp4 and a telling moment as stills/ID.png.
-/// `progress` may throw to stop. Throws ScenarioError and EnvironmentError.
-GalleryEntry film_for_gallery(const std::string& file, const std::vector<Override>& overrides,
+/// Makes the folder of a gallery, with a page that says that it is not finished. Throws UsageError when the folder is
+/// not empty and holds no gallery, EnvironmentError when it cannot be written.
+void open_gallery(const std::string& folder);
+
+/// Films the scenario for the gallery in `folder` (which exists): films/ID.mp4 and a telling moment as stills/ID.png,
+/// ID as plain_path has it. `progress` may throw to stop. Throws ScenarioError and EnvironmentError.
+GalleryEntry film_for_gallery(const GalleryScenario& which, const std::vector<Override>& overrides,
                               const std::string& folder, std::optional<GlBackend> gl, const Progress& progress);
 
 /// What of the engine a scene shows at work: the files of the algorithms it demonstrates, or of its joints and effects.
@@ -54,7 +66,8 @@ struct FilmedChapter {
   std::vector<GalleryEntry> entries;
 };
 
-/// The page. `to_project` leads from the gallery's folder to the project's, for links to files of the engine.
+/// The page. `to_project` leads from the gallery's folder to the project's, for links to files of the engine; where it
+/// is empty they are named and not linked.
 std::string gallery_page(const std::vector<FilmedChapter>& chapters, const std::string& to_project);
 
 /// Lua as HTML: comments (c), strings (s), numbers (n), keywords (k) and words that are called (w) in spans of that

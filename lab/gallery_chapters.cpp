@@ -22,14 +22,19 @@ Json json_from(const std::string& path) {
   }
 }
 
+[[noreturn]] void refuse_form(const std::string& path) {
+  throw ScenarioError(path + ": must be a list of chapters, {\"title\", \"about\", \"scenarios\": [ids]} each");
+}
+
 std::vector<GalleryChapter> chapters_in(const std::string& path) {
   const Json json = json_from(path);
   std::vector<GalleryChapter> chapters;
   try {
+    if (!json.is_array()) refuse_form(path);
     for (const Json& chapter : json)
       chapters.push_back({chapter.at("title"), chapter.at("about"), chapter.at("scenarios")});
   } catch (const Json::exception&) {
-    throw ScenarioError(path + ": must be a list of chapters, {\"title\", \"about\", \"scenarios\": [ids]} each");
+    refuse_form(path);
   }
   return chapters;
 }
@@ -66,6 +71,8 @@ std::set<std::string> named_in(const std::vector<GalleryChapter>& chapters, cons
 
 std::vector<GalleryChapter> gallery_chapters(const std::string& folder, const std::vector<std::string>& ids) {
   const std::string path = (std::filesystem::path(folder) / "contents.json").string();
+  if (!std::filesystem::exists(path))
+    throw ScenarioError("There is no " + path + ", which puts scenarios into chapters; with [] in it all are in one.");
   std::vector<GalleryChapter> chapters = chapters_in(path);
   std::set<std::string> taken = named_in(chapters, ids, path);
   for (GalleryChapter& chapter : chapters) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "golden/plain_path.h"
 #include "lab/gallery.h"
 #include "render/output_file.h"
 #include "render/png.h"
@@ -67,9 +68,9 @@ int fitting_fps(const Scenario& scenario) {
 
 }  // namespace
 
-GalleryEntry film_for_gallery(const std::string& file, const std::vector<Override>& overrides,
+GalleryEntry film_for_gallery(const GalleryScenario& which, const std::vector<Override>& overrides,
                               const std::string& folder, std::optional<GlBackend> gl, const Progress& progress) {
-  const std::unique_ptr<Scenario> scenario = load_scenario(file, overrides);
+  const std::unique_ptr<Scenario> scenario = load_scenario(which.file, overrides);
   const std::int64_t telling = telling_tick(*scenario);
   scenario->picture.fps = fitting_fps(*scenario);
   scenario->picture.size = fitted(scenario->picture.size);
@@ -80,17 +81,19 @@ GalleryEntry film_for_gallery(const std::string& file, const std::vector<Overrid
       tells_a_story(*scenario) ? whole : std::min(whole, static_cast<std::int64_t>(longest_clip_s * fps));
   request.frames = FrameRange{0, clip - 1}.frames();
   const auto still = std::lower_bound(request.timeline.begin(), request.timeline.begin() + clip - 1, telling);
-  GalleryEntry entry{scenario->id,
+  const std::string name = plain_path(which.id);
+  GalleryEntry entry{which.id,
                      scenario->title,
                      scenario->description,
                      static_cast<double>(whole) / fps,
                      static_cast<double>(clip) / fps,
-                     "films/" + scenario->id + ".mp4",
-                     "stills/" + scenario->id + ".png",
-                     read_source(file),
-                     engine_files_of(*scenario)};
-  for (const std::string& name : {entry.film, entry.still})
-    make_folder((std::filesystem::path(folder) / name).parent_path().string());
+                     "films/" + name + ".mp4",
+                     "stills/" + name + ".png",
+                     read_source(which.file),
+                     engine_files_of(*scenario),
+                     which.argument};
+  for (const std::string& made : {entry.film, entry.still})
+    make_folder((std::filesystem::path(folder) / made).parent_path().string());
   std::unique_ptr<Sink> film = make_sink(folder + "/" + entry.film, {.size = scenario->picture.size,
                                                                      .fps = scenario->picture.fps,
                                                                      .quality = Quality::draft,

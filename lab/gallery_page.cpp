@@ -2,6 +2,8 @@
 
 #include "golden/html.h"
 #include "golden/page_files.h"
+#include "golden/plain_path.h"
+#include "golden/shell.h"
 #include "lab/gallery.h"
 #include "lab/gallery_style.h"
 #include "scenarios/formatted.h"
@@ -10,10 +12,7 @@ namespace proofreel {
 namespace {
 
 std::string anchor_of(const FilmedChapter& chapter) {
-  std::string name = "chapter ";
-  name += chapter.chapter.title;
-  for (char& c : name) c = c == ' ' ? '-' : c;
-  return name;
+  return std::string("chapter-").append(plain_path(chapter.chapter.title));
 }
 
 std::string link(const std::string& to, const std::string& content) { return tag("a", content, attribute("href", to)); }
@@ -28,9 +27,9 @@ std::string navigation(const std::vector<FilmedChapter>& chapters) {
 std::string thumbnail(const GalleryEntry& entry) {
   const std::string picture =
       "<img loading=\"lazy\" alt=\"\" width=\"480\" height=\"270\" " + attribute("src", entry.still) + ">";
-  return tag("li",
-             tag("a", picture + tag("span", html_escaped(entry.title)),
-                 attribute("href", std::string("#").append(entry.id)) + " " + attribute("data-film", entry.film))) +
+  return tag("li", tag("a", picture + tag("span", html_escaped(entry.title)),
+                       attribute("href", std::string("#").append(plain_path(entry.id))) + " " +
+                           attribute("data-film", entry.film))) +
          "\n";
 }
 
@@ -54,10 +53,12 @@ std::string length_of(const GalleryEntry& entry) {
 std::string links_of(const GalleryEntry& entry, const std::string& to_project) {
   std::string text =
       html_escaped(length_of(entry)) + " \u00b7 " +
-      tag("code", html_escaped(std::string("proofreel render ").append(entry.id).append(" -o film.mp4")));
+      tag("code",
+          html_escaped(std::string("proofreel render ").append(shell_word(entry.argument)).append(" -o film.mp4")));
   const char* gap = " \u00b7 in the engine: ";
   for (const std::string& file : entry.engine_files) {
-    text += gap + link(to_project + "/" + file, tag("code", html_escaped(file)));
+    const std::string name = tag("code", html_escaped(file));
+    text += gap + (to_project.empty() ? name : link(to_project + "/" + file, name));
     gap = ", ";
   }
   return tag("p", text, "class=\"links\"");
@@ -74,7 +75,7 @@ std::string article(const GalleryEntry& entry, const std::string& to_project) {
   return tag("article",
              tag("h3", html_escaped(entry.title)) + tag("p", html_escaped(entry.description)) +
                  tag("div", film + source, "class=\"pair\"") + links_of(entry, to_project),
-             attribute("id", entry.id)) +
+             attribute("id", plain_path(entry.id))) +
          "\n";
 }
 
@@ -107,9 +108,10 @@ std::string gallery_page(const std::vector<FilmedChapter>& chapters, const std::
                       "class=\"quiet\""));
   page.append("\n").append(navigation(chapters));
   page += tag("main", sheets + all_films);
-  page += tag("footer", tag("p",
-                            "Made by <code>./dev gallery</code>. Everything on this page lies in its folder; nothing "
-                            "comes from a network."));
+  page +=
+      tag("footer", tag("p",
+                        "Made by <code>proofreel gallery</code>. Everything on this page lies in its folder; nothing "
+                        "comes from a network."));
   return page + tag("script", gallery_script) + "\n</body>\n</html>\n";
 }
 

@@ -130,6 +130,7 @@ std::string still_of(const Scenario& scenario, Frame frame, std::optional<GlBack
   Canvas canvas(*context, still_size.width_px, still_size.height_px);
   Image image;
   frame.layers = {Layer::bodies, Layer::joints, Layer::contacts};
+  frame.captions.clear();  // nobody could read them
   draw_frame(canvas, frame, {scenario.picture.theme}, image);
   const std::vector<std::uint8_t> png = encode_png(image);
   return {png.begin(), png.end()};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenarios/runner.h"
+
 namespace proofreel {
 namespace {
 
@@ -57,6 +59,7 @@ std::vector<Override> settings_of(const MethodColumn& method) {
 }
 
 void add_row(Grid& grid, const Scenario& scenario, const std::vector<Peer>& against, const std::vector<Override>& set) {
+  must_be_one_scene(scenario);
   grid.rows.push_back({"", scenario.id, scenario.title});
   for (const MethodColumn& method : method_columns) {
     grid.runs.push_back(request(scenario, std::nullopt, overlaid(set, settings_of(method)), grid.keys));

@@ -11,6 +11,7 @@
 #include "lab/grid.h"
 #include "lab/sources_hash.h"
 #include "render/usage_error.h"
+#include "scenarios/runner.h"
 #include "scenarios/scenario.h"
 #include "scenarios/suggest.h"
 
@@ -103,6 +104,7 @@ class Planner {
   explicit Planner(const StudyRequest& request)
       : request_(request), axes_(request.axes.empty() ? default_axes() : request.axes) {
     scenario_ = load_scenario(request.file, request.set);
+    must_be_one_scene(*scenario_);
     for (const Axis& axis : axes_) {
       refuse_scene_key(axis);
       check_axis(request.file, axis, request.set);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "render/usage_error.h"
+#include "scenarios/runner.h"
 
 namespace proofreel {
 namespace {
@@ -28,6 +29,7 @@ std::vector<Axis> map_axes(const std::vector<std::string>& given) {
 
 Grid map_grid(const std::string& file, const std::vector<Axis>& axes, const std::vector<Override>& set) {
   const std::unique_ptr<Scenario> scenario = load_scenario(file, set);
+  must_be_one_scene(*scenario);
   for (const Axis& axis : axes) check_axis(file, axis, set);
   Grid grid;
   grid.title = "Map of " + scenario->id;

@@ -89,8 +89,9 @@ class ContactSheetSink final : public Sink {
     letters_.write(sheet_, time, size, time_left, baseline, sheet_.width_px, palette_.quiet_ink);
   }
 
-  /// What is too long ends in three dots.
+  /// On one line; what is too long ends in three dots.
   void write(std::string text, int size_px, int left, int baseline, int room, Color color) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
     const std::string whole = text;
     for (std::size_t end = whole.size(); letters_.width_px(text, size_px) > room && end > 0;) {
       do --end;
@@ -147,9 +148,9 @@ std::vector<SheetPicture> sheet_pictures(FrameRange range, const std::vector<Fil
   if (static_cast<std::int64_t>(pictures.size()) > places) {
     const SheetGrid enough = grid_for(pictures.size());
     throw UsageError("--contact-sheet=" + std::to_string(grid->columns) + "x" + std::to_string(grid->rows) + " has " +
-                     std::to_string(places) + " places, but the film has " + std::to_string(pictures.size()) +
-                     " sections: " + std::to_string(enough.columns) + "x" + std::to_string(enough.rows) +
-                     " has enough.");
+                     std::to_string(places) + (places == 1 ? " place" : " places") + ", but the film has " +
+                     std::to_string(pictures.size()) + " sections: " + std::to_string(enough.columns) + "x" +
+                     std::to_string(enough.rows) + " has enough.");
   }
   if (pictures.empty()) pictures = evenly_spread(range, places);
   const int count = static_cast<int>(pictures.size());

@@ -7,8 +7,16 @@
 namespace proofreel {
 namespace {
 
-/// More would be a page to read, not a caption.
-constexpr double most_lines = 5;
+/// How high captions may be, in em of the text's size.
+struct Room {
+  double above = 0;
+  double below = 0;
+};
+
+/// Of five lines; more would be a page to read, not a caption.
+constexpr Room usual_room{5 * line_height + 0.6, 5 * line_height + 0.6};
+/// Of the bands that a split screen keeps free of panes.
+constexpr Room split_room{3.3, 3.9};
 
 /// A caption set in lines.
 struct Block {
@@ -19,28 +27,28 @@ struct Block {
   bool fits = false;
 };
 
-Block block_of(Canvas& canvas, const Sizes& sizes, const std::string& text, int size_px) {
+Block block_of(Canvas& canvas, const Sizes& sizes, const std::string& text, int size_px, double most_em) {
   constexpr double padding = 1.4;  // em, left and right
-  constexpr double lines_to_em = 0.6;
   const double widest = canvas.width_px() - 2 * sizes.margin - padding * size_px;
-  Block block{typeset(canvas, text, size_px, widest), size_px, 0, 0, false};
+  Block block{balanced(canvas, text, size_px, widest), size_px, 0, 0, false};
   for (const TypesetLine& line : block.lines) block.width = std::max(block.width, line.width);
   block.height = height_of(block.lines, size_px) + 1.1 * size_px;
-  block.fits = block.width <= widest && block.height <= (line_height * most_lines + lines_to_em) * sizes.text;
+  block.fits = block.width <= widest && block.height <= most_em * sizes.text;
   block.width += padding * size_px;
   return block;
 }
 
 /// A line at the top is a heading. What is too long for one is set as large as it fits, down to the smallest size of
 /// the picture.
-Block fitting_block(Canvas& canvas, const Sizes& sizes, const CaptionView& caption) {
+Block fitting_block(Canvas& canvas, const Sizes& sizes, const CaptionView& caption, const Room& room) {
+  const double most_em = is_at_top(caption.at) ? room.above : room.below;
   if (caption.at == Corner::top) {
-    Block heading = block_of(canvas, sizes, caption.text, sizes.title);
+    Block heading = block_of(canvas, sizes, caption.text, sizes.title, most_em);
     if (heading.lines.size() == 1 && heading.fits) return heading;
   }
-  Block block = block_of(canvas, sizes, caption.text, sizes.text);
+  Block block = block_of(canvas, sizes, caption.text, sizes.text, most_em);
   for (int size = sizes.text - 1; size >= sizes.small && !block.fits; --size)
-    block = block_of(canvas, sizes, caption.text, size);
+    block = block_of(canvas, sizes, caption.text, size, most_em);
   return block;
 }
 
@@ -49,9 +57,17 @@ Align align_of(Corner at) {
   return at == Corner::top_right || at == Corner::bottom_right ? Align::right : Align::center;
 }
 
+[[noreturn]] void refuse(const Canvas& canvas, const CaptionView& caption) {
+  const std::string size = std::to_string(canvas.width_px()) + "x" + std::to_string(canvas.height_px());
+  throw ScenarioError(caption.place + "the text of this caption does not fit into a picture of " + size +
+                      ", not even in its smallest letters: shorten it, or make captions of it that follow each other");
+}
+
 void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) {
-  const Block block = fitting_block(stage.canvas, stage.sizes, caption);
+  const Block block =
+      fitting_block(stage.canvas, stage.sizes, caption, stage.frame.other_panes.empty() ? usual_room : split_room);
   if (block.lines.empty()) return;
+  if (!block.fits) refuse(stage.canvas, caption);
   const double size = block.size_px;
   const double padding = 0.7 * size;
   const Aabbd card = cards.place({block.width, block.height}, caption.at);
@@ -66,13 +82,9 @@ void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) 
 }  // namespace
 
 void require_room(Canvas& canvas, const std::vector<CaptionView>& captions) {
-  const int width = canvas.width_px(), height = canvas.height_px();
+  const Sizes sizes = sizes_of(canvas.width_px(), canvas.height_px());
   for (const CaptionView& caption : captions) {
-    if (fitting_block(canvas, sizes_of(width, height), caption).fits) continue;
-    throw ScenarioError(
-        caption.place + "the text of this caption does not fit into a picture of " + std::to_string(width) + "x" +
-        std::to_string(height) +
-        ", not even in its smallest letters: shorten it, or make captions of it that follow each other");
+    if (!fitting_block(canvas, sizes, caption, usual_room).fits) refuse(canvas, caption);
   }
 }
 

@@ -51,27 +51,16 @@ void draw_head(const Stage& stage, const DemonstrationView& view, const Aabbd& h
   draw_line(stage.canvas, line, {head.lower.x, baseline}, stage.palette.ink);
 }
 
-/// As few lines as possible, and all about equally long: no word stands alone.
-std::vector<TypesetLine> balanced(const Stage& stage, const std::string& text, int size, double width) {
-  std::vector<TypesetLine> best = typeset(stage.canvas, text, size, width);
-  for (double narrower = 0.95 * width; narrower > 0.5 * width; narrower -= 0.05 * width) {
-    std::vector<TypesetLine> lines = typeset(stage.canvas, text, size, narrower);
-    if (lines.size() > best.size()) break;
-    best = std::move(lines);
-  }
-  return best;
-}
-
 void draw_caption_band(const Stage& stage, const std::string& caption, const Aabbd& band) {
   stage.canvas.rectangle(band.lower, band.upper, 0.3 * stage.sizes.text,
                          {stage.palette.plate, stage.palette.plate_edge, 1});
   int size = stage.sizes.text;
   const double padding = 0.4 * size;
   const Vec2d room = band.upper - band.lower - Vec2d{4 * padding, padding};
-  std::vector<TypesetLine> lines = balanced(stage, caption, size, room.x);
+  std::vector<TypesetLine> lines = balanced(stage.canvas, caption, size, room.x);
   if (height_of(lines, size) > room.y) {
     size = stage.sizes.small;
-    lines = balanced(stage, caption, size, room.x);
+    lines = balanced(stage.canvas, caption, size, room.x);
   }
   const Vec2d middle = center(band);
   draw_lines(stage.canvas, lines, size, {middle.x, middle.y - 0.5 * height_of(lines, size)}, Align::center,

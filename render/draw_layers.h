@@ -115,8 +115,10 @@ void draw_highlights(const Stage& stage);
 void draw_trails(const Stage& stage);
 void draw_vectors(const Stage& stage);
 void draw_clock(const Stage& stage, Cards& cards);
+/// Throws ScenarioError, with the place of the caption in its file, when one is too long for the picture, or for the
+/// bands of a split screen.
 void draw_captions(const Stage& stage, Cards& cards);
-/// Throws ScenarioError, with the place of the caption in its file, when one is too long for a picture of this size.
+/// Throws the same, before anything is drawn, when one is too long for any picture of this size.
 void require_room(Canvas& canvas, const std::vector<CaptionView>& captions);
 void draw_plots(const Stage& stage, Cards& cards);
 /// How high the card of a plot has to be that is so wide; px.

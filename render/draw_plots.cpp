@@ -180,9 +180,11 @@ void draw_pattern(const Stage& stage, const std::vector<Vec2d>& points, std::siz
 void draw_head(const Stage& stage, const Chart& chart, const std::vector<LegendEntry>& legend) {
   const double padding = 0.7 * chart.size;
   Vec2d at{chart.card.lower.x + padding, chart.card.lower.y + padding};
+  const double right = chart.card.upper.x - padding;
   const std::string title = named_with_unit(chart.plot->title, chart.plot->unit);
   if (!title.empty()) {
-    stage.canvas.text(title, {at.x, at.y + cap_height * chart.size}, chart.size, Align::left, stage.palette.ink);
+    stage.canvas.text(shortened(stage.canvas, title, chart.size, right - at.x), {at.x, at.y + cap_height * chart.size},
+                      chart.size, Align::left, stage.palette.ink);
     at.y += line_height * chart.size;
   }
   for (const LegendEntry& entry : legend) {
@@ -194,8 +196,9 @@ void draw_head(const Stage& stage, const Chart& chart, const std::vector<LegendE
     } else {
       draw_pattern(stage, {from, to}, entry.curve, width, chart.size);
     }
-    stage.canvas.text(chart.plot->curves[entry.curve], at + entry.at + Vec2d{1.6 * chart.size, 0}, chart.size,
-                      Align::left, stage.palette.ink);
+    const Vec2d name = at + entry.at + Vec2d{1.6 * chart.size, 0};
+    stage.canvas.text(shortened(stage.canvas, chart.plot->curves[entry.curve], chart.size, right - name.x), name,
+                      chart.size, Align::left, stage.palette.ink);
   }
 }
 
@@ -217,9 +220,10 @@ void draw_across_axis(const Stage& stage, const Chart& chart) {
   draw_lower_axis(
       stage, {chart.card, chart.area, chart.size, chart.across, chart.across_ticks, plot.is_portrait() ? "" : "s"});
   if (!plot.is_portrait()) return;
-  stage.canvas.text(named_with_unit(plot.x_name, plot.x_unit),
-                    {0.5 * (chart.area.lower.x + chart.area.upper.x), chart.area.upper.y + 2.5 * chart.size},
-                    chart.size, Align::center, stage.palette.ink);
+  const double middle = 0.5 * (chart.area.lower.x + chart.area.upper.x);
+  const double room = 2 * (chart.card.upper.x - 0.5 * chart.size - middle);
+  stage.canvas.text(shortened(stage.canvas, named_with_unit(plot.x_name, plot.x_unit), chart.size, room),
+                    {middle, chart.area.upper.y + 2.5 * chart.size}, chart.size, Align::center, stage.palette.ink);
 }
 
 /// Collects the points of one unbroken piece of a curve. Of samples in the same column of pixels, the first, the

@@ -104,9 +104,10 @@ Stage stage_in(const Stage& whole, const SplitPane& pane) {
 
 void draw_title(const Stage& stage, const SplitPane& pane) {
   const double baseline = pane.cell.lower.y + 0.5 * (title_height(stage) + cap_height * stage.sizes.text) - 1;
-  const bool fits =
-      stage.canvas.text_width(pane.frame.pane_title, stage.sizes.text) <= pane.cell.upper.x - pane.cell.lower.x;
-  stage.canvas.text(pane.frame.pane_title, {pane.cell.lower.x, baseline}, fits ? stage.sizes.text : stage.sizes.small,
+  const double width = pane.cell.upper.x - pane.cell.lower.x;
+  const bool fits = stage.canvas.text_width(pane.frame.pane_title, stage.sizes.text) <= width;
+  const int size = fits ? stage.sizes.text : stage.sizes.small;
+  stage.canvas.text(shortened(stage.canvas, pane.frame.pane_title, size, width), {pane.cell.lower.x, baseline}, size,
                     Align::left, stage.palette.ink);
 }
 

@@ -91,4 +91,17 @@ std::vector<std::string> wrapped(Canvas& canvas, std::string_view text, int size
   return lines;
 }
 
+std::string shortened(Canvas& canvas, const std::string& text, int size_px, double width) {
+  std::string line = text;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  if (canvas.text_width(line, size_px) <= width) return line;
+  std::size_t end = line.size();
+  const auto cut = [&] { return line.substr(0, end) + "\u2026"; };
+  while (end > 0 && canvas.text_width(cut(), size_px) > width) {
+    do --end;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U);  // no half characters
+  }
+  return cut();
+}
+
 }  // namespace proofreel

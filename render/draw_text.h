@@ -34,4 +34,7 @@ std::string number_text(double value, int decimals);
 /// Breaks a text into lines no wider than `width` where it has spaces; a longer word has a line of its own.
 std::vector<std::string> wrapped(Canvas& canvas, std::string_view text, int size_px, double width);
 
+/// On one line and no wider than `width`: what is too long ends in three dots.
+std::string shortened(Canvas& canvas, const std::string& text, int size_px, double width);
+
 }  // namespace proofreel

@@ -1,11 +1,13 @@
 #include "render/exposure.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
 #include "render/usage_error.h"
+#include "scenarios/suggest.h"
 #include "scenarios/timeline.h"
 
 namespace proofreel {
@@ -20,14 +22,30 @@ std::int64_t ticks_open(double degrees, std::int64_t way) {
   return static_cast<std::int64_t>(std::ceil(degrees * static_cast<double>(way) / full_circle));
 }
 
-[[noreturn]] void refuse_few(const Scenario& scenario, double degrees, std::int64_t way) {
+/// `way` in ticks of `scene`, which is the scenario or one of its panes.
+[[noreturn]] void refuse_few(const Scenario& scene, double degrees, std::int64_t way, bool all_have_this_rate) {
   std::int64_t times = 2;
   while (ticks_open(degrees, times * way) < fewest_ticks) ++times;
   const std::int64_t ticks = ticks_open(degrees, way);
+  const std::string rate = "rate=" + std::to_string(times * scene.scene.rate);
   throw UsageError("--shutter mixes the pictures of at least " + std::to_string(fewest_ticks) + " ticks, and at " +
-                   std::to_string(scenario.scene.rate) + " ticks per second only " + std::to_string(ticks) +
-                   (ticks == 1 ? " lies" : " lie") + " within the shutter of a frame: " + "--set rate=" +
-                   std::to_string(times * scenario.scene.rate) + " works.");
+                   std::to_string(scene.scene.rate) + " ticks per second only " + std::to_string(ticks) +
+                   (ticks == 1 ? " lies" : " lie") + " within the shutter of a frame: " +
+                   (all_have_this_rate ? "--set " + rate : rate + " in pane " + quote(scene.pane_title)) + " works.");
+}
+
+/// The scene whose ticks are the longest: there it is seen first that pictures stand beside each other.
+const Scenario& slowest_scene(const Scenario& scenario) {
+  const Scenario* slowest = &scenario;
+  for (const auto& pane : scenario.other_panes) {
+    if (pane->scene.rate < slowest->scene.rate) slowest = pane.get();
+  }
+  return *slowest;
+}
+
+bool have_one_rate(const Scenario& scenario) {
+  return std::all_of(scenario.other_panes.begin(), scenario.other_panes.end(),
+                     [&](const auto& pane) { return pane->scene.rate == scenario.scene.rate; });
 }
 
 /// Light of an sRGB value (IEC 61966-2-1), 0..65535; `value` 0..255, also between whole numbers.
@@ -60,12 +78,15 @@ const Tables& tables() {
 
 std::vector<std::int64_t> exposures(const Scenario& scenario, const std::vector<std::int64_t>& timeline,
                                     double degrees) {
+  const Scenario& slowest = slowest_scene(scenario);
   std::vector<std::int64_t> open;
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     const std::int64_t next = i + 1 < timeline.size() ? timeline[i + 1] : film_end(scenario);
     const std::int64_t way = next - timeline[i];
     const std::int64_t ticks = ticks_open(degrees, way);
-    if (way > 0 && ticks < fewest_ticks) refuse_few(scenario, degrees, way);
+    const std::int64_t slowest_way = std::max<std::int64_t>(1, way * slowest.scene.rate / scenario.scene.rate);
+    if (way > 0 && ticks_open(degrees, slowest_way) < fewest_ticks)
+      refuse_few(slowest, degrees, slowest_way, have_one_rate(scenario));
     if (ticks > most_ticks_open)
       throw UsageError("--shutter would mix " + std::to_string(ticks) + " pictures for a frame, of at most " +
                        std::to_string(most_ticks_open) + ": choose a lower rate or a narrower shutter.");

@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* known_endings =
-    "Known are NAME.png, NAME%04d.png (one file per frame), .mp4, .webm, .gif, .apng, .mov, .mkv, .srt (subtitles), "
+    "Known are NAME.png, NAME%04d.png (one file per frame), .svg, .mp4, .webm, .gif, .apng, .mov, .mkv, .srt "
+    "(subtitles), "
     ".hash (a line per frame) and - (raw RGBA on standard output).";
 
 /// An unwritable folder is to be found before anything is drawn.
@@ -144,13 +145,18 @@ std::optional<Quality> quality_named(std::string_view name) {
 
 std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
+void check_number(const std::string& out) {
+  if (has_number(out) && ending_of(out) != ".png")
+    throw UsageError("Only PNG pictures are numbered: NAME%04d.png, not " + out + ".");
+}
+
 bool is_single_picture(const std::string& out) { return ending_of(out) == ".png" && !has_number(out); }
 
 std::unique_ptr<Sink> make_sink(const std::string& out, const FilmSettings& settings) {
   check_size(settings.size);
   const std::string ending = ending_of(out);
   const bool numbered = has_number(out);
-  if (numbered && ending != ".png") throw UsageError("Only pictures are numbered: NAME%04d.png, not " + out + ".");
+  check_number(out);
   if (is_film_ending(ending)) return make_video_sink(out, settings);
   if (out != "-" && ending != ".png" && ending != ".hash") refuse_ending(out);
   check_no_film_settings(out, settings);

@@ -6,6 +6,7 @@
 
 #include "render/draw_text.h"
 #include "render/theme.h"
+#include "render/usage_error.h"
 
 namespace proofreel {
 namespace {
@@ -19,13 +20,16 @@ struct Paragraph {
   }
 };
 
+bool fits_across(Canvas& canvas, const Paragraph& paragraph, double width) {
+  return std::all_of(paragraph.lines.begin(), paragraph.lines.end(),
+                     [&](const std::string& line) { return canvas.text_width(line, paragraph.size_px) <= width; });
+}
+
 /// In at most so many lines that all fit into `width`; in smaller letters where need be, down to `smallest_px`.
 Paragraph fitting(Canvas& canvas, const std::string& text, int size_px, int smallest_px, double width,
                   std::size_t lines) {
   const auto fits = [&](const Paragraph& paragraph) {
-    return paragraph.lines.size() <= lines &&
-           std::all_of(paragraph.lines.begin(), paragraph.lines.end(),
-                       [&](const std::string& line) { return canvas.text_width(line, paragraph.size_px) <= width; });
+    return paragraph.lines.size() <= lines && fits_across(canvas, paragraph, width);
   };
   Paragraph paragraph{wrapped(canvas, text, size_px, width), size_px};
   while (!fits(paragraph) && paragraph.size_px > smallest_px) {
@@ -77,6 +81,11 @@ void draw_title_card(Canvas& canvas, const TitleCard& card, Theme theme, Image& 
   const double gap = std::round(0.7 * sizes.title);
   const double rule = std::max(2.0, std::round(3 * sizes.unit));
   const double whole = title.height() + (description.lines.empty() ? 0 : 2 * gap + rule + description.height());
+  if (whole > canvas.height_px() - 2 * sizes.margin || !fits_across(canvas, title, width) ||
+      !fits_across(canvas, description, width))
+    throw UsageError("--title-card: title and description do not fit into a picture of " +
+                     std::to_string(canvas.width_px()) + "x" + std::to_string(canvas.height_px()) +
+                     ": choose a larger --size, or shorten them.");
   double y = std::floor(0.46 * (canvas.height_px() - whole));  // the eye's middle lies above the ruler's
   canvas.clear(palette.background);
   draw_paragraph(canvas, title, {left, y}, palette.ink);

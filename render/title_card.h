@@ -13,7 +13,8 @@ struct TitleCard {
   std::string description;  ///< may be empty
 };
 
-/// The title large, a rule, and the description below it, in the theme's colours: a picture of the canvas' size.
+/// The title large, a rule, and the description below it, in the theme's colours: a picture of the canvas' size. Throws
+/// UsageError when they do not fit into it.
 void draw_title_card(Canvas& canvas, const TitleCard& card, Theme theme, Image& image);
 
 /// Number `i` of the `count` pictures a film opens with: `card`, which stands still at first and, within the last of

@@ -198,8 +198,10 @@ std::vector<TypesetLine> plain(Canvas& canvas, std::string_view text, int size_p
 /// How much farther than usual a line stands from the one before it, px.
 double extra_above(const TypesetLine& line, const TypesetLine* before, int size_px) {
   const double usual = (line_height - cap_height) * size_px;
-  const double room = 0.12 * size_px;
-  const double needed = line.ascent - cap_height * size_px + (before != nullptr ? before->descent : 0) + room;
+  const double below = before != nullptr ? before->descent : 0;
+  const bool denominator = below > 1.5 * script_drop * size_px;  // its letters hang lower still, as a g does
+  const double room = (denominator ? 0.3 : 0.12) * size_px;
+  const double needed = line.ascent - cap_height * size_px + below + room;
   return std::round(std::max(0.0, needed - usual));
 }
 
@@ -220,6 +222,16 @@ std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size
     }
   }
   return in_lines(words.words(), canvas.text_width(" ", size_px), width);
+}
+
+std::vector<TypesetLine> balanced(Canvas& canvas, std::string_view text, int size_px, double width) {
+  std::vector<TypesetLine> best = typeset(canvas, text, size_px, width);
+  for (double narrower = 0.95 * width; best.size() > 1 && narrower > 0.5 * width; narrower -= 0.05 * width) {
+    std::vector<TypesetLine> lines = typeset(canvas, text, size_px, narrower);
+    if (lines.size() > best.size()) break;
+    best = std::move(lines);
+  }
+  return best;
 }
 
 TypesetLine typeset_line(Canvas& canvas, std::string_view text, int size_px) {

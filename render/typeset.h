@@ -35,6 +35,9 @@ struct TypesetLine {
 /// cannot be read as formulas is set as it is.
 std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size_px, double width);
 
+/// The same in as few lines as that takes, all about equally long: no word stands alone.
+std::vector<TypesetLine> balanced(Canvas& canvas, std::string_view text, int size_px, double width);
+
 /// One line, however wide.
 TypesetLine typeset_line(Canvas& canvas, std::string_view text, int size_px);
 

@@ -201,16 +201,45 @@ void add_warnings_of(const Scenario& pane, Scenario& whole) {
   }
 }
 
+/// Runs the file for one pane of several; what is wrong in it only is told as such.
+Loaded loaded_pane(const Source& source, std::size_t index, const PaneRecord& pane) {
+  try {
+    return loaded(source, index, pane.overrides);
+  } catch (const ScenarioError& error) {
+    const std::string text = error.what();
+    const std::string name = "pane " + quote(pane.title);
+    throw ScenarioError(text.find(name) == std::string::npos ? text + " (in " + name + ")" : text);
+  }
+}
+
+/// What holds for the whole film, and the file can say in each pane anew.
+void must_be_one_film(const Scenario& first, const Scenario& pane) {
+  const auto check = [&](const char* key, bool same) {
+    if (same) return;
+    throw ScenarioError(in_file(pane) + key + " must be that of the first pane, " + quote(first.pane_title) +
+                        ", because all panes are one film");
+  };
+  const Picture &film = first.picture, &other = pane.picture;
+  check("duration", first.duration == pane.duration);
+  check("fps", film.fps == other.fps);
+  check("size", film.size == other.size);
+  check("theme", film.theme == other.theme);
+  check("slow", film.slow == other.slow);
+  check("freeze", film.freezes == other.freezes);
+  check("section", film.sections == other.sections);
+}
+
 std::unique_ptr<Scenario> with_panes(const Source& source, const std::vector<PaneRecord>& panes) {
   if (panes.size() == 1) throw ScenarioError(source.path + ": one pane{...} is no split screen: make two or more");
   std::unique_ptr<Scenario> whole;
   for (std::size_t i = 0; i < panes.size(); ++i) {
-    Loaded pane = loaded(source, i, panes[i].overrides);
+    Loaded pane = loaded_pane(source, i, panes[i]);
     if (!same_titles(pane.panes, panes)) {
       throw ScenarioError(source.path +
                           ": the file is run once for every pane, and must then call pane{...} for the same panes");
     }
     if (whole) {
+      must_be_one_film(*whole, *pane.scenario);
       add_warnings_of(*pane.scenario, *whole);
       whole->other_panes.push_back(std::move(pane.scenario));
     } else {

@@ -42,7 +42,8 @@ void read_override(const Fields& fields, const std::string& prefix, const char* 
   lua_State* state = fields.state();
   if (!fields.push(key)) return;
   charge_for_making(state);
-  ParsedOverride value{prefix + key, "pane " + quote(pane.title), {}, lua_type(state, -1) == LUA_TTABLE};
+  ParsedOverride value{
+      prefix + key, sandbox_of(state).place(key) + "pane " + quote(pane.title), {}, lua_type(state, -1) == LUA_TTABLE};
   const lua_Unsigned count = value.is_list ? lua_rawlen(state, -1) : 0;
   if (count > longest_list) fields.refuse(key, "holds " + std::to_string(count) + " values: leave some out");
   for (lua_Unsigned i = 1; i <= count; ++i) {

@@ -148,7 +148,7 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
 
 void Sandbox::raise(const Problem& problem) {
   const std::string_view message = problem.what();
-  const std::string where = message.starts_with("--set ") ? std::string{} : location(problem.key());
+  const std::string where = says_where(message) ? std::string{} : location(problem.key());
   lua_pushlstring(state_, where.data(), where.size());
   lua_pushlstring(state_, message.data(), message.size());
   lua_concat(state_, 2);
@@ -165,7 +165,7 @@ int Sandbox::on_error(lua_State* state) {
     lua_replace(state, 1);
   }
   const std::string_view message = lua_tostring(state, 1);
-  if (message.starts_with("<") || message.starts_with("--set ")) return 1;
+  if (message.starts_with("<") || self.says_where(message)) return 1;
   const std::string where = self.location({});
   lua_pushlstring(state, where.data(), where.size());
   lua_insert(state, 1);
@@ -207,9 +207,14 @@ const Sandbox::Source* Sandbox::source_of(std::string_view token) const {
   return &sources_[number - 1];
 }
 
+/// What overrides a value of `scenario{}` stands elsewhere than where that is called.
+bool Sandbox::says_where(std::string_view message) const {
+  return message.starts_with("--set ") || message.starts_with(path_ + ": line ");
+}
+
 /// `<1>:12: text` as `path: line 12: text`.
 std::string Sandbox::sentence(std::string_view message) const {
-  if (message.starts_with("--set ")) return std::string(message);
+  if (says_where(message)) return std::string(message);
   const std::size_t token_end = message.find(">:");
   const Source* source = source_of(message);
   if (source == nullptr || token_end == std::string_view::npos) return path_ + ": " + with_hint(std::string(message));

@@ -74,6 +74,7 @@ class Sandbox {
   std::string location(const std::string& key) const;
   int line_of_key(const Source& source, int first_line, const std::string& key) const;
   const Source* source_of(std::string_view token) const;
+  bool says_where(std::string_view message) const;
   std::string sentence(std::string_view message) const;
   std::string with_hint(std::string message) const;
   std::string stop_sentence() const;

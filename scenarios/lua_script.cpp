@@ -63,6 +63,9 @@ std::string place_of(lua_State* state, int function) {
   throw Problem(place_of(state, function) + "must return " + wanted + ", got " + described(state, -1));
 }
 
+/// Differences of larger ones are no numbers any more, and no axis can be drawn for them.
+constexpr double largest_number = 1e300;
+
 /// " (in measure "x", at 0.5 s)"
 std::string context(const std::string& what, double seconds) {
   return " (in " + what + formatted(", at %.6g s)", seconds);
@@ -76,7 +79,9 @@ void LuaScript::turn(Phase phase, const std::function<std::string()>& what,
   try {
     sandbox_.turn(body);
   } catch (const ScenarioError& error) {
-    throw ScenarioError(error.what() + context(what(), model_.time()));
+    const std::string& pane = model_.scenario.pane_title;
+    throw ScenarioError(error.what() +
+                        context(pane.empty() ? what() : what() + " of pane " + quote(pane), model_.time()));
   }
 }
 
@@ -227,6 +232,7 @@ double LuaScript::number_from(int function, const std::function<std::string()>& 
     if (lua_type(state, -1) != LUA_TNUMBER) refuse_result(state, function, "a number");
     number = lua_tonumber(state, -1);
     if (!std::isfinite(number)) refuse_result(state, function, "a finite number");
+    if (std::abs(number) > largest_number) refuse_result(state, function, "a number between -1e300 and 1e300");
   });
   return number;
 }

@@ -17,7 +17,7 @@ using OverrideItem = std::variant<bool, std::int64_t, double, std::string>;
 /// One override, its value still to be checked against what the key takes.
 struct ParsedOverride {
   std::string path;                 ///< full key: "duration", "method.substeps"
-  std::string origin;               ///< for messages: "--set substeps=0"
+  std::string origin;               ///< for messages: "--set substeps=0", "ball.lua: line 3: pane "slow""
   std::vector<OverrideItem> items;  ///< one, or those of a {list}
   bool is_list = false;
 };

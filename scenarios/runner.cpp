@@ -48,18 +48,9 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
   const bool named = body >= 1 && body <= scenario.body_names.size();
   const std::string who = named ? "body " + quote(scenario.body_names[body - 1]) : std::string("the scene");
   const std::string time = formatted("%.6g s", static_cast<double>(failure.tick) / scenario.scene.rate);
-  const std::string where = scenario.pane_title.empty() ? "" : "pane " + quote(scenario.pane_title) + ": ";
-  return scenario.path + ": " + where + "the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time +
-         "): in " + failure.stage + " the motion of " + who + " " + failure.what +
+  return in_file(scenario) + "the simulation stopped at tick " + std::to_string(failure.tick) + " (" + time + "): in " +
+         failure.stage + " the motion of " + who + " " + failure.what +
          "; use smaller forces or stiffness, or a higher rate";
-}
-
-/// Saving, resuming, peers and studies are about one scene.
-void must_be_one_scene(const Scenario& scenario) {
-  if (scenario.other_panes.empty()) return;
-  throw ScenarioError(scenario.path + ": this can be done with one scene only, and the file shows " +
-                      std::to_string(scenario.other_panes.size() + 1) +
-                      " side by side: put what a pane{...} of it holds into scenario{...} of a file of its own");
 }
 
 std::string in_pane(const Scenario& pane, const std::string& name) {
@@ -73,6 +64,13 @@ void add(const Energy& more, Energy& energy) {
 }
 
 }  // namespace
+
+void must_be_one_scene(const Scenario& scenario) {
+  if (scenario.other_panes.empty()) return;
+  throw ScenarioError(scenario.path + ": this can be done with one scene only, and the file shows " +
+                      std::to_string(scenario.other_panes.size() + 1) +
+                      " side by side: put what a pane{...} of it holds into scenario{...} of a file of its own");
+}
 
 std::vector<std::string> measure_names(const Scenario& scenario) {
   std::vector<std::string> names;
@@ -291,7 +289,8 @@ struct Runner::Impl {
   /// After a failure of a simulation, what was never looked at has not held.
   void give_up() {
     for (std::size_t i = 0; i < looked_at.size(); ++i) {
-      if (!looked_at[i]) report.expectations[i] = {scenario.expectations[i].text, false, simulation->tick(), {}};
+      if (!looked_at[i])
+        report.expectations[i] = {in_pane(scenario, scenario.expectations[i].text), false, simulation->tick(), {}};
     }
   }
 

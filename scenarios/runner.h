@@ -61,6 +61,9 @@ struct RunReport {
   bool all_held() const;
 };
 
+/// Saving, resuming, peers, studies and scorecards are about one scene: throws ScenarioError where there are panes.
+void must_be_one_scene(const Scenario& scenario);
+
 /// The panes of a split screen are run side by side: each is at the last of its ticks that is not later than the first
 /// pane's. Ticks, samples and frames are counted by the first; hashes, measures, expectations and energies are of all.
 class Runner {

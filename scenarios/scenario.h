@@ -136,6 +136,7 @@ struct SlowMotion {
   double from = 0;
   double to = 0;
   double factor = 1;
+  friend bool operator==(const SlowMotion&, const SlowMotion&) = default;
 };
 
 /// A pale copy of the body stays behind every so many seconds.
@@ -148,12 +149,14 @@ struct GhostMark {
 struct Freeze {
   double at = 0;
   double seconds = 1;  ///< of film
+  friend bool operator==(const Freeze&, const Freeze&) = default;
 };
 
 /// A part of the film, from scene time `at` to where the next one begins.
 struct Section {
   double at = 0;
   std::string name;
+  friend bool operator==(const Section&, const Section&) = default;
 };
 
 /// From scene time `at` on the picture shows these layers.

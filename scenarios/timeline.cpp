@@ -6,18 +6,22 @@
 
 #include "scenarios/formatted.h"
 #include "scenarios/runner.h"
+#include "scenarios/suggest.h"
 
 namespace proofreel {
 namespace {
 
 std::string shown(double number) { return formatted("%.6g", number); }
 
-[[noreturn]] void refuse_rate(int rate, int fps) {
+/// `fps` is that of the whole film.
+[[noreturn]] void refuse_rate(const Scenario& scenario, int fps) {
+  const int rate = scenario.scene.rate;
   const int below = rate / fps * fps;
   const std::string works =
       below > 0 ? std::to_string(below) + " or " + std::to_string(below + fps) : std::to_string(fps);
-  throw ScenarioError("a film needs a whole number of ticks per frame: rate " + std::to_string(rate) + " at " +
-                      std::to_string(fps) + " fps does not give one; the nearest rates that work are " + works);
+  throw ScenarioError(in_file(scenario) + "a film needs a whole number of ticks per frame: rate " +
+                      std::to_string(rate) + " at " + std::to_string(fps) +
+                      " fps does not give one; the nearest rates that work are " + works);
 }
 
 bool is_whole_frame(double ticks) {
@@ -34,15 +38,16 @@ std::string rate_hint(std::int64_t ticks, double factor, int fps) {
 }
 
 /// Ticks per frame during `slow`, where a frame otherwise takes `ticks` of them.
-std::int64_t slowed(std::int64_t ticks, const SlowMotion& slow, int fps) {
+std::int64_t slowed(const Scenario& scenario, std::int64_t ticks, const SlowMotion& slow) {
+  const int fps = scenario.picture.fps;
   const auto usual = static_cast<double>(ticks);
   const double wanted = usual * slow.factor;
   if (is_whole_frame(wanted)) return std::llround(wanted);
   const double lower = std::max(1.0, std::floor(wanted));
   const double upper = std::min(usual, lower + 1);
   const std::string factors = lower < upper ? shown(lower / usual) + " or " + shown(upper / usual) : shown(1);
-  throw ScenarioError("slow{factor=" + shown(slow.factor) + "} would show a frame every " + shown(wanted) +
-                      " ticks, which must be a whole number; what works: factor = " + factors +
+  throw ScenarioError(in_file(scenario) + "slow{factor=" + shown(slow.factor) + "} would show a frame every " +
+                      shown(wanted) + " ticks, which must be a whole number; what works: factor = " + factors +
                       rate_hint(ticks, slow.factor, fps));
 }
 
@@ -56,8 +61,7 @@ std::vector<SlowStretch> slow_stretches(const Scenario& scenario, std::int64_t t
   const int rate = scenario.scene.rate;
   std::vector<SlowStretch> stretches;
   for (const SlowMotion& slow : scenario.picture.slow) {
-    stretches.push_back(
-        {tick_at(slow.from, rate), tick_at(slow.to, rate), slowed(ticks_per_frame, slow, scenario.picture.fps)});
+    stretches.push_back({tick_at(slow.from, rate), tick_at(slow.to, rate), slowed(scenario, ticks_per_frame, slow)});
   }
   return stretches;
 }
@@ -87,9 +91,9 @@ struct Timeline {
 Timeline timeline_of(const Scenario& scenario) {
   const int rate = scenario.scene.rate;
   const int fps = scenario.picture.fps;
-  if (rate % fps != 0) refuse_rate(rate, fps);
+  if (rate % fps != 0) refuse_rate(scenario, fps);
   for (const auto& pane : scenario.other_panes) {
-    if (pane->scene.rate % fps != 0) refuse_rate(pane->scene.rate, fps);
+    if (pane->scene.rate % fps != 0) refuse_rate(*pane, fps);
   }
   const std::int64_t usual = rate / fps;
   const std::vector<SlowStretch> stretches = slow_stretches(scenario, usual);
@@ -117,6 +121,11 @@ std::vector<Section> headings_of(const std::vector<Story>& stories) {
 }
 
 }  // namespace
+
+std::string in_file(const Scenario& scenario) {
+  const std::string pane = scenario.pane_title.empty() ? "" : "pane " + quote(scenario.pane_title) + ": ";
+  return scenario.path + ": " + pane;
+}
 
 std::int64_t tick_at(double seconds, int rate) {
   // Far beyond every run all times are alike; the bound keeps the conversion defined.

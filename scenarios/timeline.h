@@ -16,6 +16,9 @@ inline constexpr double most_ticks = 1e8;
 /// The tick nearest to scene time `seconds` (not negative).
 std::int64_t tick_at(double seconds, int rate);
 
+/// The file, and the pane where there are several, as sentences begin: "ball.lua: pane "slow": ".
+std::string in_file(const Scenario& scenario);
+
 /// Whether measures and plots are sampled at `tick`: at every frame of the film without slow motion, so at
 /// round(i * rate / fps), and at the last tick.
 bool is_sample_tick(const Scenario& scenario, std::int64_t tick);

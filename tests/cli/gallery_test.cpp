@@ -53,5 +53,35 @@ TEST_CASE("gallery without contents says which file is missing", "[cli]") {
   CHECK_THAT(o.err, Contains("contents.json"));
 }
 
+TEST_CASE("gallery touches no folder that is not one of its own", "[cli]") {
+  Collection c;
+  c.write("ball", falling_ball());
+  write_text(c / "scenarios/contents.json", contents);
+  write_text(c / "mine/index.html", "<title>My page</title>");
+  write_text(c / "mine/films/ball.mp4", "my film");
+  const Outcome o = c.run({"gallery", "-o", "mine"});
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("mine holds other things than a gallery"));
+  CHECK(read_text(c / "mine/index.html") == "<title>My page</title>");
+  CHECK(read_text(c / "mine/films/ball.mp4") == "my film");
+  REQUIRE(c.run({"gallery", "-o", "out", "--set", "duration=0.1"}).status == 0);
+  CHECK(c.run({"gallery", "-o", "out", "--set", "duration=0.1"}).status == 0);
+}
+
+TEST_CASE("gallery tells apart what has one name in two folders, and takes every name", "[cli]") {
+  Collection c;
+  const std::string odd = "50 % <b> #1 'q'";
+  for (const std::string& name : {std::string("a/ball"), std::string("b/ball"), odd}) {
+    write_text(c / ("mine/" + name + ".lua"), falling_ball());
+  }
+  write_text(c / "mine/contents.json", R"([{"title": "T", "about": "A", "scenarios": ["b/*", "a/ball"]}])");
+  REQUIRE(c.run({"gallery", "mine", "-o", "out", "--set", "duration=0.1"}).status == 0);
+  const std::string page = read_text(c / "out/index.html");
+  CHECK(page.find("films/b/ball.mp4") < page.find("films/a/ball.mp4"));
+  CHECK_THAT(page, Contains("films/a/ball.mp4") && Contains("proofreel render mine/a/ball.lua -o"));
+  CHECK_THAT(page, Contains("films/50____b___1__q_-") && !Contains("<b>"));
+  CHECK_THAT(page, !Contains("/engine/"));  // no project lies beside this folder
+}
+
 }  // namespace
 }  // namespace proofreel

@@ -148,5 +148,31 @@ TEST_CASE("What does not go together exits with 2, says why, and leaves no file"
   for (const auto& entry : fs::directory_iterator(c.path())) REQUIRE(fs::is_directory(entry));
 }
 
+TEST_CASE("A title card that does not fit is refused, and leaves no film behind", "[cli]") {
+  const FilmCollection c;
+  c.write("long", "scenario { title = '" + std::string(80, 'w') + "', duration = 0.1 }\n");
+  c.write("much", "scenario { title = 'T', description = ('many words '):rep(300), duration = 0.1 }\n");
+  for (const char* id : {"long", "much"}) {
+    const Outcome o = c.run({"render", id, "-o", "film/a.mp4", "--title-card", "--size", "320x180"});
+    CHECK(o.status == 3);
+    std::filesystem::create_directories(c / "film");
+    const Outcome refused = c.run({"render", id, "-o", "film/a.mp4", "--title-card", "--size", "320x180"});
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, Contains("do not fit into a picture of 320x180"));
+    CHECK(fs::is_empty(c / "film"));
+    std::filesystem::remove_all(c / "film");
+  }
+}
+
+TEST_CASE("Only PNG pictures are numbered", "[cli]") {
+  const FilmCollection c;
+  for (const char* out : {"a%02d.svg", "a%d.srt", "a%d.mp4"}) {
+    const Outcome o = c.run({"render", "ball", "-o", out});
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Contains("Only PNG pictures are numbered"));
+    CHECK_FALSE(fs::exists(c / out));
+  }
+}
+
 }  // namespace
 }  // namespace proofreel

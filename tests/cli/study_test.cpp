@@ -140,6 +140,11 @@ TEST_CASE("What a study cannot do is refused in a sentence, and leaves nothing b
     REQUIRE_THAT(o.err, Contains(why));
     REQUIRE_FALSE(std::filesystem::exists(c / "x"));
   };
+  c.write("split", known_swing() + "pane{title='a'} pane{title='b'}\n");
+  refused({"study", "split", "-o", "x"}, "with one scene only");
+  refused({"study", "split", "--map", "-o", "x"}, "with one scene only");
+  refused({"study", "split", "--target", "1e-3"}, "with one scene only");
+  refused({"scorecard", "split", "-o", "x"}, "with one scene only");
   refused({"study", "swing"}, "Name a folder");
   refused({"study", "mute", "-o", "x"}, "measures nothing");
   refused({"study", "swing", "--measure", "y", "-o", "x"}, "has no such measure; known are");

@@ -68,9 +68,12 @@ TEST_CASE("Contents that cannot be are refused with a sentence that names the fi
   CHECK_THROWS_WITH(chapters_of("[" + chapter(R"("a", "a")") + "]"), Contains("names the scenario \"a\" twice"));
   CHECK_THROWS_WITH(chapters_of("[{}]"), Contains("must be a list of chapters"));
   CHECK_THROWS_WITH(chapters_of("[1]"), Contains("must be a list of chapters"));
+  CHECK_THROWS_WITH(chapters_of("{}"), Contains("must be a list of chapters"));
+  CHECK_THROWS_WITH(chapters_of("null"), Contains("must be a list of chapters"));
   CHECK_THROWS_WITH(chapters_of("["), Contains("this is no JSON"));
   const ScratchFolder empty;
-  CHECK_THROWS_WITH(gallery_chapters(empty.path(), ids), Contains("contents.json"));
+  CHECK_THROWS_WITH(gallery_chapters(empty.path(), ids),
+                    Catch::StartsWith("There is no ") && Contains("contents.json"));
 }
 
 TEST_CASE("Every scenario of the collection has its chapter, once") {
@@ -123,8 +126,8 @@ TEST_CASE("Lua's comments, strings, numbers, keywords and called words are told 
 }
 
 TEST_CASE("The page has a thumbnail, the film, the source and the engine's files of every scenario") {
-  GalleryEntry entry{"hard/x",       "A <title>",     "What it is", 20, 12, "films/hard/x.mp4", "stills/hard/x.png",
-                     "scenario { }", {"engine/gjk.h"}};
+  GalleryEntry entry{"hard/x",       "A <title>",      "What it is", 20, 12, "films/hard/x.mp4", "stills/hard/x.png",
+                     "scenario { }", {"engine/gjk.h"}, "hard/x"};
   const std::string page = gallery_page({{{"Hard & fast", "About", {"hard/x"}}, {entry}}}, "../..");
   CHECK_THAT(page, Contains("A &lt;title&gt;") && !Contains("A <title>"));
   CHECK_THAT(page, Contains("href=\"#hard/x\"") && Contains("id=\"hard/x\""));
@@ -132,4 +135,12 @@ TEST_CASE("The page has a thumbnail, the film, the source and the engine's files
   CHECK_THAT(page, Contains("href=\"../../engine/gjk.h\"") && Contains("the first 12 of 20 s"));
   CHECK_THAT(page, Contains("<span class=\"w\">scenario</span> { }"));
   CHECK_THAT(page, !Contains("http://") && !Contains("https://"));
+}
+
+TEST_CASE("A page that lies beside no project names the engine's files and links nowhere") {
+  const GalleryEntry entry{"x", "X", "", 1, 1, "films/x.mp4", "stills/x.png", "", {"engine/gjk.h"}, "my folder/x.lua"};
+  const std::string page = gallery_page({{{"T", "A", {"x"}}, {entry}}}, "");
+  CHECK_THAT(page, Contains("<code>engine/gjk.h</code>") && !Contains("href=\"/engine") && !Contains("href=\"engine"));
+  CHECK_THAT(page, Contains("proofreel render 'my folder/x.lua' -o film.mp4") ||
+                       Contains("proofreel render &#39;my folder/x.lua&#39; -o film.mp4"));
 }

@@ -131,3 +131,14 @@ TEST_CASE("A canvas that begins with a picture shows it, and forgets it") {
   canvas.finish(image);
   CHECK(same(image, filled_image(33, 17, 255, 255, 255)));
 }
+
+TEST_CASE("The shutter looks at the pane with the fewest ticks, and says whose rate would have to be another") {
+  const ScratchFolder folder;
+  const auto open = [&](const std::string& slow) {
+    const std::string panes = "pane{title='fine', rate=960}\npane{title='coarse'" + slow + "}\n";
+    return exposed(*loaded(folder, "scenario{duration=0.5, rate=480}\n" + panes), 180);
+  };
+  CHECK(open("").front() == 8);
+  CHECK_THROWS_WITH(open(", rate=60"), Contains("only 1 lies within") && Contains("rate=420 in pane \"coarse\" works"));
+  CHECK_NOTHROW(open(", rate=420"));
+}

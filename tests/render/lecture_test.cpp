@@ -66,6 +66,25 @@ TEST_CASE("A text without formulas is set as it always was") {
   }
 }
 
+TEST_CASE("Balanced lines are as few as can be, and none of them is a single word left over") {
+  const std::string text = "A caption of two lines that would leave just one word of it alone";
+  const double width = canvas().text_width(text, 20) - 5;
+  REQUIRE(typeset(canvas(), text, 20, width).size() == 2);
+  const auto lines = balanced(canvas(), text, 20, width);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[1].width > 0.6 * lines[0].width);
+  CHECK(balanced(canvas(), text, 20, 2 * width).size() == 1);
+}
+
+TEST_CASE("The letters of a denominator do not touch the line below") {
+  const int size = 40;
+  const auto lines = typeset(canvas(), "$\\frac{1}{g}$ next", size, canvas().text_width("next", size) + 1);
+  REQUIRE(lines.size() == 2);
+  const double baselines = height_of(lines, size) - lines[0].ascent;
+  constexpr double hang = 0.25;  // em: of a g
+  CHECK(baselines > lines[0].descent + (hang + cap_height) * size);
+}
+
 TEST_CASE("A subscript is smaller and lower, a superscript smaller and higher") {
   const TypesetLine line = typeset_line(canvas(), "$a_1b^2$", 40);
   REQUIRE(line.texts.size() == 4);

@@ -106,3 +106,46 @@ TEST_CASE("Whose a pixel is tells the panes apart") {
     CHECK(std::count_if(picture.owners.begin(), picture.owners.end(), of_pane) > 3);
   }
 }
+
+TEST_CASE("Captions of a split screen stay on their band, in smaller letters where need be, or are refused") {
+  Canvas canvas(context(), 360, 640);
+  const auto owners_with = [&](std::size_t words, Corner at) {
+    Frame frame = split(9);
+    frame.captions.clear();
+    if (words == 0) return draw_owners(canvas, frame, {Theme::light});
+    std::string text;
+    for (std::size_t i = 0; i < words; ++i) text += "momentum ";
+    frame.captions = {{text, at, "ball.lua: line 7: "}};
+    return draw_owners(canvas, frame, {Theme::light});
+  };
+  for (const Corner at : {Corner::bottom, Corner::top}) {
+    const OwnerPicture picture = owners_with(9, at);
+    const OwnerPicture without = owners_with(0, at);
+    std::size_t covered = 0, own = 0;
+    for (std::size_t i = 0; i < picture.indices.size(); ++i) {
+      const bool caption = picture.owners[picture.indices[i]].kind == OwnerKind::caption;
+      own += caption ? 1 : 0;
+      covered += caption && without.owners[without.indices[i]].kind != OwnerKind::nothing ? 1 : 0;
+    }
+    CHECK(own > 500);
+    CHECK(covered == 0);
+    CHECK_THROWS_WITH(owners_with(30, at), Catch::StartsWith("ball.lua: line 7: the text of this caption"));
+  }
+}
+
+TEST_CASE("The title of a pane ends where its pane does") {
+  Frame frame = split(2);
+  frame.other_panes[0].pane_title.clear();
+  frame.pane_title = std::string(300, 'w');
+  const Image with = drawn(frame, 640, 360);
+  frame.pane_title.clear();
+  const Image without = drawn(frame, 640, 360);
+  int last = -1;
+  for (int y = 0; y < 360; ++y) {
+    for (int x = 0; x < 640; ++x) {
+      if (red(with, x, y) != red(without, x, y)) last = std::max(last, x);
+    }
+  }
+  CHECK(last > 250);
+  CHECK(last < 320);
+}

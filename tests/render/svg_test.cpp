@@ -105,3 +105,11 @@ TEST_CASE("Without a background nothing lies behind what is drawn") {
   CHECK(count(svg_of(frame, {Theme::light, true}, {64, 64}), "<rect") == 0);
   CHECK(count(svg_of(frame, {Theme::light, false}, {64, 64}), "<rect") == 1);
 }
+
+TEST_CASE("A caption that does not fit is refused wherever it is drawn") {
+  Frame frame = sample_frame();
+  frame.captions = {{std::string(2000, 'w'), Corner::bottom, "ball.lua: line 7: "}};
+  CHECK_THROWS_WITH(
+      svg_of(frame, {Theme::light}, {640, 360}),
+      Catch::StartsWith("ball.lua: line 7: the text of this caption does not fit") && Contains("640x360"));
+}

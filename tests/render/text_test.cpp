@@ -136,3 +136,20 @@ TEST_CASE("Lines break at spaces and nowhere else") {
   CHECK(wrapped(canvas, "unbreakable", 18, 5) == std::vector<std::string>{"unbreakable"});
   CHECK(wrapped(canvas, "", 18, 100).empty());
 }
+
+TEST_CASE("What is too long for a line ends in three dots, after a whole character") {
+  Canvas canvas(context(), 8, 8);
+  CHECK(shortened(canvas, "two\nlines", 20, 1000) == "two lines");
+  const std::string greek = "\u03b1\u03b2\u03b3\u03b4\u03b5";
+  for (double width = 0; width < 100; width += 3) {
+    const std::string line = shortened(canvas, greek, 20, width);
+    if (line == greek) {
+      CHECK(canvas.text_width(line, 20) <= width);
+      continue;
+    }
+    CHECK(line.ends_with("\u2026"));
+    CHECK(greek.starts_with(line.substr(0, line.size() - 3)));
+    CHECK(line.size() % 2 == 1);  // each letter has two bytes, the dots three
+    if (line.size() > 3) CHECK(canvas.text_width(line, 20) <= width);
+  }
+}

@@ -8,13 +8,13 @@
 #include "engine/collide_gjk.h"
 #include "engine/dynamic_tree.h"
 #include "engine/polygon.h"
+#include "film_marks.h"
 
 using namespace proofreel;
+using namespace proofreel::films;
 using Catch::Contains;
 
 namespace {
-
-using Points = std::vector<Vec2d>;
 
 /// The same everywhere: a linear congruential generator (Knuth's MMIX).
 class Dice {
@@ -36,37 +36,7 @@ class Dice {
   std::uint64_t state_ = 7;
 };
 
-DemonstrationShape polygon_of(const Points& points) { return {{points}, 0}; }
-DemonstrationShape circle_of(Vec2d center, double radius) { return {{{center}}, radius}; }
-
-Story told(Algorithm algorithm, const Points& points) {
-  const Demonstration asked{algorithm, points, {}, 1, {}};
-  REQUIRE_FALSE(problem_with(asked));
-  return story_of(asked);
-}
-
-Story told(Algorithm algorithm, const std::vector<DemonstrationShape>& shapes) {
-  const Demonstration asked{algorithm, {}, shapes, 1, {}};
-  REQUIRE_FALSE(problem_with(asked));
-  return story_of(asked);
-}
-
-std::vector<StoryMark> marks_of(const Step& step, MarkKind kind, Role role, int pane = 0) {
-  std::vector<StoryMark> found;
-  for (const StoryMark& mark : step.marks) {
-    if (mark.kind == kind && mark.role == role && mark.pane == pane) found.push_back(mark);
-  }
-  return found;
-}
-
 double length_of(const StoryMark& mark) { return distance(mark.points.front(), mark.points.back()); }
-
-const Step& step_saying(const Story& story, const std::string& words) {
-  const auto found = std::find_if(story.steps.begin(), story.steps.end(),
-                                  [&](const Step& step) { return step.caption.find(words) != std::string::npos; });
-  REQUIRE(found != story.steps.end());
-  return *found;
-}
 
 Hull hull_about(const Points& points, Vec2d center) {
   ShapeDef def;
@@ -89,7 +59,7 @@ std::vector<DemonstrationShape> some_boxes(std::size_t count) {
   std::vector<DemonstrationShape> shapes;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2d at{dice.roll(-3, 3), dice.roll(-2, 2)};
-    shapes.push_back(circle_of(at, dice.roll(0.2, 0.7)));
+    shapes.push_back(disc_at(at, dice.roll(0.2, 0.7)));
   }
   return shapes;
 }
@@ -119,16 +89,16 @@ std::vector<Story> all_stories() {
           told(Algorithm::diagonal_test, square),
           told(Algorithm::edge_walk, triangle),
           told(Algorithm::centroid, square),
-          told(Algorithm::circle_contact, {circle_of({0, 0}, 1), circle_of({1, 1}, 1)}),
-          told(Algorithm::circle_contact, {circle_of({0, 0}, 1), polygon_of(triangle)}),
+          told(Algorithm::circle_contact, {disc_at({0, 0}, 1), disc_at({1, 1}, 1)}),
+          told(Algorithm::circle_contact, {disc_at({0, 0}, 1), polygon_of(triangle)}),
           told(Algorithm::bounding_volumes, {polygon_of(triangle)}),
           told(Algorithm::dot_product, triangle),
           told(Algorithm::cross_product, triangle),
           story_of({Algorithm::transforms, {}, {polygon_of(square)}, 1, Placing{{2, 0.5}, 1, {3, 1}}}),
           story_of({Algorithm::transform_order, {}, {polygon_of(square)}, 1, Placing{{2, 0.5}, 1, {3, 1}}}),
           told(Algorithm::gjk_line, {polygon_of({{0, 0}, {1, 0}}), polygon_of({{2, 0}, {4, 0}})}),
-          told(Algorithm::center_of_mass, {polygon_of(square), circle_of({3, 0}, 1)}),
-          told(Algorithm::moment_of_inertia, {polygon_of(square), circle_of({3, 0}, 1)}),
+          told(Algorithm::center_of_mass, {polygon_of(square), disc_at({3, 0}, 1)}),
+          told(Algorithm::moment_of_inertia, {polygon_of(square), disc_at({3, 0}, 1)}),
           told(Algorithm::friction_cone, {block}),
           told(Algorithm::sequential_impulses, {polygon_of(square), polygon_of({{-1, 1}, {1, 1}, {0, 2}})})};
 }
@@ -339,13 +309,13 @@ TEST_CASE("The depth of a circle's contact is drawn to scale, coincident circles
     const auto paths = marks_of(story.steps.back(), MarkKind::path, Role::alert);
     return paths.size() == 1 ? length_of(paths.front()) : 0;
   };
-  CHECK(drawn_depth(circle_of({0, 0}, 1), circle_of({1.5, 0}, 0.75)) == Approx(0.25));
-  CHECK(drawn_depth(circle_of({0, 0}, 1), circle_of({0, 0}, 0.75)) == Approx(1.75));
-  CHECK(drawn_depth(circle_of({0, 0}, 1), circle_of({3, 0}, 0.75)) == 0);
-  CHECK(drawn_depth(circle_of({-1.5, 0}, 1), polygon_of(square)) == Approx(0.5));
-  CHECK(drawn_depth(circle_of({-1.6, -1.8}, 1.25), polygon_of(square)) == Approx(0.25));
-  CHECK(drawn_depth(circle_of({-0.5, 0}, 1), polygon_of(square)) == Approx(1.5));
-  CHECK(drawn_depth(circle_of({-2.5, 0}, 1), polygon_of(square)) == 0);
+  CHECK(drawn_depth(disc_at({0, 0}, 1), disc_at({1.5, 0}, 0.75)) == Approx(0.25));
+  CHECK(drawn_depth(disc_at({0, 0}, 1), disc_at({0, 0}, 0.75)) == Approx(1.75));
+  CHECK(drawn_depth(disc_at({0, 0}, 1), disc_at({3, 0}, 0.75)) == 0);
+  CHECK(drawn_depth(disc_at({-1.5, 0}, 1), polygon_of(square)) == Approx(0.5));
+  CHECK(drawn_depth(disc_at({-1.6, -1.8}, 1.25), polygon_of(square)) == Approx(0.25));
+  CHECK(drawn_depth(disc_at({-0.5, 0}, 1), polygon_of(square)) == Approx(1.5));
+  CHECK(drawn_depth(disc_at({-2.5, 0}, 1), polygon_of(square)) == 0);
 }
 
 TEST_CASE("Every bounding volume holds the shape, and none is tighter than the hull") {
@@ -394,7 +364,7 @@ TEST_CASE("Shapes on a lattice, which touch, coincide and lie in line, can be de
     for (int i = 0; i < algorithm_count; ++i) {
       Demonstration asked{static_cast<Algorithm>(i), a, {}, 1, {}};
       if (problem_with(asked)) asked = {asked.algorithm, {}, {polygon_of(a), polygon_of(b)}, 1, {}};
-      if (problem_with(asked)) asked.shapes = {circle_of(b.front(), 1), polygon_of(a)};
+      if (problem_with(asked)) asked.shapes = {disc_at(b.front(), 1), polygon_of(a)};
       if (problem_with(asked)) continue;
       ++told_of;
       for (const Step& step : story_of(asked).steps) {

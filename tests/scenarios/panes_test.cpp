@@ -114,7 +114,7 @@ TEST_CASE("Wrong panes are refused with a sentence") {
   CHECK_THAT(error_of(begin + "pane{title='a', duration=2}"), Contains("unknown key \"duration\""));
   CHECK_THAT(error_of(begin + "pane{title='a', method={substep=2}}"), Contains("did you mean \"substeps\""));
   CHECK_THAT(error_of(begin + "pane{title='a'}\npane{title='b', method={substeps=0}}"),
-             Contains("pane \"b\": method.substeps must lie between 1 and 10000"));
+             Contains("scene.lua: line 3: pane \"b\": method.substeps must lie between 1 and 10000"));
   CHECK_THAT(error_of(begin + "pane{title='a', rate={}}\npane{title='b'}"),
              Contains("pane \"a\": rate must be a whole number"));
   CHECK_THAT(error_of(begin + "pane{title='a', gravity={{}, 1}}"), Contains("gravity cannot be a table"));
@@ -129,11 +129,49 @@ TEST_CASE("Wrong panes are refused with a sentence") {
 
 TEST_CASE("A pane whose rate does not fit the film's frames is refused when filmed") {
   const auto scenario = load_text("scenario{duration=1, rate=60, fps=60}\npane{title='a'}\npane{title='b', rate=90}");
-  CHECK_THROWS_WITH(film_timeline(*scenario), Contains("90"));
+  CHECK_THROWS_WITH(film_timeline(*scenario), Contains("scene.lua: pane \"b\": a film needs") && Contains("90"));
 }
 
 TEST_CASE("Saving, resuming and other engines are for one scene, and say so") {
   const auto scenario = load_text(fall);
   CHECK_THROWS_WITH(Runner(*scenario, {10}), Contains("with one scene only, and the file shows 2 side by side"));
   CHECK_THROWS_WITH(Runner(*scenario, make_simulation(scenario->scene)), Contains("with one scene only"));
+}
+
+TEST_CASE("What is wrong in one pane only is told as that of this pane, with the line it stands in") {
+  const std::string two = "scenario{duration=1}\npane{title='a'}\nlocal b = pane{title='b'}\n";
+  CHECK(error_of(two + "if b then error('bad') end") == "scene.lua: line 4: bad (in pane \"b\")");
+  CHECK_THAT(error_of("scenario{duration=1}\npane{title='a'}\npane{title='b',\nview={height=-1}}"),
+             Catch::StartsWith("scene.lua: line 4: pane \"b\": view.height must be"));
+  CHECK_THAT(error_of("scenario{duration=1}\npane{title='a'}\npane{title='b', method={integrator='rk4'}}\n"
+                      "body{shape=circle{radius=1}}\nbody{at={3,0}, shape=circle{radius=1}}"),
+             Contains("cannot step bodies that may meet") && Catch::EndsWith("(in pane \"b\")"));
+  const auto scenario = load_text(two + "if b then at(0.5, function() error('bad') end) end");
+  CHECK_THROWS_WITH(Runner(*scenario).finish(), Contains("line 4: bad") && Contains("of pane \"b\", at 0.5 s"));
+}
+
+TEST_CASE("Panes that would be films of different lengths, sizes or times are refused") {
+  const std::string two = "local a = pane{title='a'}\nlocal b = pane{title='b'}\n";
+  const auto refused = [&](const std::string& text, const char* key) {
+    CHECK_THAT(error_of(text),
+               Contains("pane \"b\": ") && Contains(std::string(key) + " must be that of the first pane"));
+  };
+  refused(two + "scenario{duration = a and 1 or 2}", "duration");
+  refused(two + "scenario{fps = a and 60 or 30}", "fps");
+  refused(two + "scenario{size = a and {640, 360} or {320, 180}}", "size");
+  refused(two + "scenario{theme = a and 'dark' or 'light'}", "theme");
+  refused("scenario{}\n" + two + "if b then freeze{at=1, seconds=1} end", "freeze");
+  refused("scenario{}\n" + two + "if b then slow{from=1, to=2, factor=0.5} end", "slow");
+  refused("scenario{}\n" + two + "if b then section{at=0, name='s'} end", "section");
+  CHECK_NOTHROW(load_text("scenario{}\n" + two + "freeze{at=1, seconds=1} section{at=0, name='s'}"));
+}
+
+TEST_CASE("Expectations that a failed pane leaves open have its name, too") {
+  const RunReport report = report_of(
+      "scenario{duration=1, rate=60, fps=20}\npane{title='good'}\nlocal bad = pane{title='bad'}\n"
+      "local b = body{shape=circle{radius=0.1}}\nexpect('rests', function() return true end)\n"
+      "if bad then at(0.5, function() b:force({1e308, 0}) b:force({1e308, 0}) end) end\n");
+  REQUIRE(report.expectations.size() == 2);
+  CHECK(report.expectations[0].text == "good: rests");
+  CHECK(report.expectations[1].text == "bad: rests");
 }

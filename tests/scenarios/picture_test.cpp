@@ -206,3 +206,9 @@ TEST_CASE("The bars of energy are measured by what was reached so far, and by th
   CHECK(last.highest == Approx(0.5 * 19.62 * 19.62));
   CHECK(last.lowest == Approx(98.1 - 0.5 * 19.62 * 19.62));
 }
+
+TEST_CASE("A plot takes no number so large that the distance of two is none any more") {
+  auto r = run("plot{y={huge=function() return time() < 1 and 1e300 or -1.1e300 end}}");
+  CHECK_NOTHROW(r.until(99));
+  CHECK_THROWS_WITH(r.until(100), Contains("must return a number between -1e300 and 1e300, got -1.1e+300"));
+}
