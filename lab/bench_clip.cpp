@@ -24,12 +24,15 @@ constexpr int crf = 18;
 constexpr int rounds = 5;
 constexpr double target_megabytes = 400;
 
-/// Keeps the first `most` pictures of a film.
+/// Keeps the first `most` pictures of a film, as pictures that come from anywhere: how they differ from one another is
+/// not known.
 class KeepingSink final : public Sink {
  public:
   explicit KeepingSink(std::size_t most) : most_(most) {}
   void frame(const Image& image) override {
-    if (images_.size() < most_) images_.push_back(image);
+    if (images_.size() == most_) return;
+    images_.push_back(image);
+    images_.back().rgba.become({});
   }
   void finish() override {}
   std::vector<Image> take() { return std::move(images_); }

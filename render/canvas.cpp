@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/state_hash.h"
 #include "render/canvas_geometry.h"
 #include "render/canvas_gpu.h"
 #include "render/svg.h"
@@ -64,12 +65,6 @@ Quad grown(Quad quad, double by) {
   return quad;
 }
 
-Aabbd bounds_of(const Quad& quad) {
-  const Vec2d reach{std::abs(quad.axis.x) * quad.half_x + std::abs(quad.axis.y) * quad.half_y,
-                    std::abs(quad.axis.y) * quad.half_x + std::abs(quad.axis.x) * quad.half_y};
-  return {quad.center - reach, quad.center + reach};
-}
-
 Aabbd common_part(const Aabbd& a, const Aabbd& b) {
   return {{std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y)},
           {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y)}};
@@ -77,6 +72,15 @@ Aabbd common_part(const Aabbd& a, const Aabbd& b) {
 
 bool within_float(const Quad& quad) {
   return std::max({std::abs(quad.center.x), std::abs(quad.center.y), quad.half_x, quad.half_y}) < float_limit_px;
+}
+
+/// How far past its end a stroke's segment may colour pixels, px: at a joint only up to the line that halves the turn,
+/// whose normal is `joint` (zero at an end of the stroke).
+double reach_beyond(Vec2d joint, Vec2d along, double radius) {
+  constexpr double spare_px = 0.25;
+  const double widest = radius + soft_edge_px;
+  if (joint == Vec2d{}) return widest;
+  return std::min(widest, widest * std::abs(cross(joint, along)) / dot(joint, along) + spare_px);
 }
 
 bool all_finite(std::span<const Vec2d> points) {
@@ -118,6 +122,16 @@ struct Canvas::Impl {
     std::vector<Vec2d> places(points.begin(), points.end());
     for (Vec2d& place : places) place += origin;
     return places;
+  }
+
+  /// Ends what was asked for; what follows lies on `color`.
+  void begin(Color color, DrawMode new_mode) {
+    const std::array<unsigned char, 5> ground{color.r, color.g, color.b, color.a, static_cast<unsigned char>(new_mode)};
+    batches.clear(hash_of(ground.data(), ground.size()));
+    background = color;
+    behind = nullptr;
+    mode = new_mode;
+    owner = 0;
   }
 
   PixelArea whole() const { return {0, 0, width_px, height_px}; }
@@ -194,7 +208,7 @@ void Canvas::Impl::add_box_part(const Quad& box, double radius, const Ink& ink, 
   put(&values[18], box.axis);
   values[20] = static_cast<float>(box.half_x);
   values[21] = static_cast<float>(box.half_y);
-  batches.add(ShapeKind::box, values, bounds_of(part));
+  batches.add(ShapeKind::box, values, part);
 }
 
 /// An outline alone, as four strips at whole pixels: what a large empty box encloses costs nothing.
@@ -248,7 +262,7 @@ void Canvas::Impl::add_half_planes(ShapeKind kind, const std::vector<Vec2d>& cor
     put(&values[16 + 2 * i], normal);
     values[16 + 2 * edges + i] = static_cast<float>(offset);
   }
-  batches.add(kind, values, bounds_of(part));
+  batches.add(kind, values, part);
 }
 
 void Canvas::Impl::add_rounded(const std::vector<Vec2d>& corners, double radius, const Ink& ink) {
@@ -274,7 +288,7 @@ void Canvas::Impl::add_corners(ShapeKind kind, const std::vector<Vec2d>& corners
     const double way = static_cast<double>(past) / static_cast<double>(places - last);
     put(&values[16 + 2 * i], lerp(corners[std::min(i, last)], corners[0], way) - part.center);
   }
-  batches.add(kind, values, bounds_of(part));
+  batches.add(kind, values, part);
 }
 
 void Canvas::Impl::add_capsule(Vec2d a, Vec2d b, double radius, Ink ink) {
@@ -297,8 +311,12 @@ void Canvas::Impl::add_stroke_segment(Vec2d a, Vec2d b, Vec2d joint_a, Vec2d joi
   if (b != whole_b) joint_b = {};
   const double reach = distance(a, b);
   if (reach == 0) return;
+  const Vec2d along = normalized(b - a);
+  const Vec2d first = a - reach_beyond(joint_a, along, radius) * along;
+  const Vec2d last = b + reach_beyond(joint_b, along, radius) * along;
+  const Quad share{0.5 * (first + last), along, 0.5 * distance(first, last), radius + soft_edge_px};
   Quad part;
-  if (!visible_part(grown({0.5 * (a + b), normalized(b - a), 0.5 * reach, 0}, radius + soft_edge_px), part)) return;
+  if (!visible_part(share, part)) return;
   Instance<6> values{};
   put_common(values.data(), part, radius, {from, to, 0, std::min(width, 1.0)});
   values[6] = joint_b == Vec2d{} ? 1.0F : 0.0F;
@@ -306,7 +324,7 @@ void Canvas::Impl::add_stroke_segment(Vec2d a, Vec2d b, Vec2d joint_a, Vec2d joi
   put(&values[18], b);
   put(&values[20], joint_a);
   put(&values[22], joint_b);
-  batches.add(ShapeKind::stroke, values, bounds_of(part));
+  batches.add(ShapeKind::stroke, values, part);
 }
 
 void Canvas::Impl::add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color color) {
@@ -319,7 +337,7 @@ void Canvas::Impl::add_glyph(const AtlasGlyph& glyph, int x_px, int y_px, Color 
   Instance<4> values{};
   put_common(values.data(), quad_of(seen), 0, {color, color, 0, 1});
   put(&values[12], Vec2d{static_cast<double>(glyph.x_px), static_cast<double>(glyph.y_px)} - low);
-  batches.add(ShapeKind::glyph, values, seen);
+  batches.add(ShapeKind::glyph, values, quad_of(seen));
 }
 
 Canvas::Canvas(GlContext& context, int width_px, int height_px)
@@ -345,10 +363,7 @@ void Canvas::leave() {
 
 void Canvas::clear(Color background) {
   leave();
-  impl_->batches.clear();
-  impl_->background = background;
-  impl_->behind = nullptr;
-  impl_->mode = DrawMode::colors;
+  impl_->begin(background, DrawMode::colors);
   if (SvgWriter* svg = impl_->svg()) svg->clear(background);
 }
 
@@ -359,9 +374,8 @@ void Canvas::clear(const Image& background) {
 }
 
 void Canvas::clear_for_owners() {
-  clear({0, 0, 0, 255});
-  impl_->mode = DrawMode::owners;
-  impl_->owner = 0;
+  leave();
+  impl_->begin({0, 0, 0, 255}, DrawMode::owners);
 }
 
 void Canvas::own(std::uint32_t owner) { impl_->owner = owner; }
@@ -471,9 +485,7 @@ double Canvas::text_width(std::string_view utf8, int size_px) {
 }
 
 void Canvas::finish(Image& image) {
-  impl_->gpu->clear(impl_->background);
-  if (impl_->behind != nullptr) impl_->gpu->put(*impl_->behind);
-  impl_->gpu->draw(impl_->mode, impl_->batches.batches(), impl_->atlas, image);
+  impl_->gpu->draw({impl_->mode, impl_->background, impl_->behind, impl_->batches}, impl_->atlas, image);
 }
 
 std::string Canvas::svg() const { return impl_->writer.document(); }

@@ -24,14 +24,6 @@ struct Paint {
   double outline_px = 0;
 };
 
-/// A part of a picture, in whole pixels.
-struct PixelArea {
-  int left = 0;
-  int top = 0;
-  int width = 0;
-  int height = 0;
-};
-
 enum class Align : std::uint8_t { left, center, right };
 
 /// What is drawn later lies on top. Nothing reaches the image before `finish`.

@@ -2,50 +2,52 @@
 
 #include <algorithm>
 
+#include "engine/state_hash.h"
+
 namespace proofreel {
-namespace {
-
-constexpr int tile_px = 16;
-
-int tile_at(double position, int tiles) {
-  return static_cast<int>(std::clamp(position / tile_px, 0.0, static_cast<double>(tiles - 1)));
-}
-
-}  // namespace
 
 BatchList::BatchList(int width_px, int height_px)
-    : columns_((width_px + tile_px - 1) / tile_px),
-      rows_((height_px + tile_px - 1) / tile_px),
-      last_batch_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+    : grid_(width_px, height_px), last_batch_(grid_.size()), tile_hashes_(grid_.size()) {}
 
-void BatchList::add(ShapeKind kind, std::span<const float> values, const Aabbd& bounds) {
-  const Tiles tiles = tiles_of(bounds);
-  const std::size_t index = batch_from(last_touching(tiles), kind);
+void BatchList::add(ShapeKind kind, std::span<const float> values, const Quad& quad) {
+  const TileSpan span = grid_.span_of(bounds_of(quad));
+  find_tiles(quad, span);
+  const std::size_t index = batch_from(last_batch_there(), kind);
   Batch& batch = batches_[index];
   batch.values.insert(batch.values.end(), values.begin(), values.end());
-  for (int row = tiles.top; row <= tiles.bottom; ++row) {
-    std::fill(last_batch_.begin() + row * columns_ + tiles.left, last_batch_.begin() + row * columns_ + tiles.right + 1,
-              index);
+  batch.places.push_back(span);
+  const std::uint64_t mark =
+      chained_hash(static_cast<std::uint64_t>(kind), hash_of(values.data(), values.size_bytes()));
+  for (const std::size_t tile : there_) {
+    last_batch_[tile] = index;
+    tile_hashes_[tile] = chained_hash(tile_hashes_[tile], mark);
   }
 }
 
-void BatchList::clear() {
-  for (Batch& batch : batches_) batch.values.clear();
+void BatchList::clear(std::uint64_t ground) {
+  for (Batch& batch : batches_) {
+    batch.values.clear();
+    batch.places.clear();
+  }
   used_ = 0;
   std::fill(last_batch_.begin(), last_batch_.end(), 0);
+  std::fill(tile_hashes_.begin(), tile_hashes_.end(), ground);
 }
 
-BatchList::Tiles BatchList::tiles_of(const Aabbd& bounds) const {
-  return {tile_at(bounds.lower.x, columns_), tile_at(bounds.upper.x, columns_), tile_at(bounds.lower.y, rows_),
-          tile_at(bounds.upper.y, rows_)};
-}
-
-std::size_t BatchList::last_touching(const Tiles& tiles) const {
-  std::size_t last = 0;
-  for (int row = tiles.top; row <= tiles.bottom; ++row) {
-    const auto begin = last_batch_.begin() + row * columns_;
-    last = std::max(last, *std::max_element(begin + tiles.left, begin + tiles.right + 1));
+/// A pixel counts where its centre is covered, which lies half a pixel inside its tile: roundings of the quad do no
+/// harm.
+void BatchList::find_tiles(const Quad& quad, const TileSpan& span) {
+  there_.clear();
+  for (int row = span.top; row < span.bottom; ++row) {
+    for (int column = span.left; column < span.right; ++column) {
+      if (may_touch(quad, grid_.bounds_of(column, row))) there_.push_back(grid_.number(column, row));
+    }
   }
+}
+
+std::size_t BatchList::last_batch_there() const {
+  std::size_t last = 0;
+  for (const std::size_t tile : there_) last = std::max(last, last_batch_[tile]);
   return last;
 }
 

@@ -6,8 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/aabb.h"
+#include "render/canvas_geometry.h"
 #include "render/canvas_shaders.h"
+#include "render/tile_grid.h"
 
 namespace proofreel {
 
@@ -15,6 +16,7 @@ namespace proofreel {
 struct Batch {
   ShapeKind kind = ShapeKind::box;
   std::vector<float> values;
+  std::vector<TileSpan> places;  ///< of every instance, bounds of the tiles it may touch
 };
 
 /// Changing programs costs llvmpipe about 10 microseconds, so a shape joins the earliest batch of its kind that is
@@ -24,23 +26,24 @@ class BatchList {
  public:
   BatchList(int width_px, int height_px);
 
-  /// `values` are as many floats as the kind has; `bounds` is the part of the picture they may change, in pixels.
-  void add(ShapeKind kind, std::span<const float> values, const Aabbd& bounds);
-  void clear();
+  /// `values` are as many floats as the kind has; `quad` is the part of the picture they may change, in pixels.
+  void add(ShapeKind kind, std::span<const float> values, const Quad& quad);
+  /// Begins anew; `ground` is a number that stands for what the marks will lie on.
+  void clear(std::uint64_t ground);
   std::span<const Batch> batches() const { return {batches_.data(), used_}; }
+  /// A hash for every tile: equal exactly when the ground is and the marks that may touch it, in their order.
+  std::span<const std::uint64_t> tile_hashes() const { return tile_hashes_; }
 
  private:
-  struct Tiles {
-    int left, right, top, bottom;  // closed
-  };
-  Tiles tiles_of(const Aabbd& bounds) const;
-  std::size_t last_touching(const Tiles& tiles) const;
+  void find_tiles(const Quad& quad, const TileSpan& span);
+  std::size_t last_batch_there() const;
   std::size_t batch_from(std::size_t first, ShapeKind kind);
 
-  int columns_;
-  int rows_;
+  TileGrid grid_;
+  std::vector<std::size_t> there_;       // the tiles that the mark being added may touch
   std::vector<std::size_t> last_batch_;  // by tile
-  std::vector<Batch> batches_;           // kept with their memory from picture to picture
+  std::vector<std::uint64_t> tile_hashes_;
+  std::vector<Batch> batches_;  // kept with their memory from picture to picture
   std::size_t used_ = 0;
 };
 

@@ -74,6 +74,21 @@ Quad quad_of(const Aabbd& box) {
   return {center(box), {1, 0}, half.x, half.y};
 }
 
+Aabbd bounds_of(const Quad& quad) {
+  const Vec2d reach{std::abs(quad.axis.x) * quad.half_x + std::abs(quad.axis.y) * quad.half_y,
+                    std::abs(quad.axis.y) * quad.half_x + std::abs(quad.axis.x) * quad.half_y};
+  return {quad.center - reach, quad.center + reach};
+}
+
+bool may_touch(const Quad& quad, const Aabbd& box) {
+  const Vec2d half = 0.5 * (box.upper - box.lower);
+  const Vec2d way = 0.5 * (box.upper + box.lower) - quad.center;
+  const double along = std::abs(quad.axis.x) * half.x + std::abs(quad.axis.y) * half.y;
+  const double across = std::abs(quad.axis.y) * half.x + std::abs(quad.axis.x) * half.y;
+  return std::abs(dot(way, quad.axis)) <= quad.half_x + along &&
+         std::abs(dot(way, perp(quad.axis))) <= quad.half_y + across;
+}
+
 Quad smallest_quad(const std::vector<Vec2d>& corners) {
   Quad best;
   double best_area = std::numeric_limits<double>::max();

@@ -34,6 +34,10 @@ struct Quad {
 
 double area(const Quad& quad);
 Quad quad_of(const Aabbd& box);
+Aabbd bounds_of(const Quad& quad);
+
+/// Whether the two may have a point in common: true unless a side of the quad keeps them apart.
+bool may_touch(const Quad& quad, const Aabbd& box);
 
 /// The smallest turned rectangle around a convex polygon; one of its sides lies on an edge (Freeman and Shapira 1975).
 Quad smallest_quad(const std::vector<Vec2d>& corners);

@@ -58,7 +58,9 @@ CanvasGpu::CanvasGpu(GlContext& context, int width_px, int height_px)
       gl_(loaded_current(context)),
       width_px_(width_px),
       height_px_(height_px),
-      target_(gl_, width_px, height_px) {
+      target_(gl_, width_px, height_px),
+      grid_(width_px, height_px),
+      tiles_(grid_) {
   for (std::size_t i = 0; i < shape_kind_count; ++i) program_for(static_cast<ShapeKind>(i), DrawMode::colors);
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.GenBuffers(1, &instances_);
@@ -78,16 +80,8 @@ CanvasGpu::~CanvasGpu() {
   gl_.DeleteTextures(1, &atlas_);
 }
 
-void CanvasGpu::clear(Color background) {
-  context_.make_current();
-  target_.bind();
-  gl_.ClearColor(part(background.r), part(background.g), part(background.b), part(background.a));
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
-}
-
 /// By way of a texture, because what is drawn into is none.
 void CanvasGpu::put(const Image& background) {
-  context_.make_current();
   GLuint texture = 0, source = 0;
   gl_.GenTextures(1, &texture);
   gl_.BindTexture(GL_TEXTURE_2D, texture);
@@ -102,31 +96,62 @@ void CanvasGpu::put(const Image& background) {
   target_.bind();
   gl_.DeleteFramebuffers(1, &source);
   gl_.DeleteTextures(1, &texture);
+  gl_.BindTexture(GL_TEXTURE_2D, atlas_);
 }
 
-void CanvasGpu::draw(DrawMode mode, std::span<const Batch> batches, FontAtlas& atlas, Image& image) {
+void CanvasGpu::draw(const Request& request, FontAtlas& atlas, Image& image) {
   context_.make_current();
   target_.bind();
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, mode == DrawMode::colors ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
-  upload(batches);
+  if (request.background != nullptr) tiles_.forget();
+  const std::vector<TileSpan> parts = tiles_.begin(request.marks.tile_hashes());
+  const std::vector<Pass> passes = passes_over(parts, request.marks);
+  upload_values();
   upload(atlas);
-  std::size_t first_float = 0;
-  for (const Batch& batch : batches) {
-    draw_batch(batch, program_for(batch.kind, mode), first_float);
-    first_float += batch.values.size();
-  }
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, request.mode == DrawMode::colors ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
+  for (const Pass& pass : passes) draw_pass(pass, request);
   image.width_px = width_px_;
   image.height_px = height_px_;
   image.rgba.resize(static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) * 4);
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, width_px_, height_px_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  if (gl_.GetError() != GL_NO_ERROR) throw EnvironmentError("OpenGL failed while drawing; is there enough memory?");
+  read(tiles_.parts_since(image.rgba.edition()), image);
+  if (gl_.GetError() != GL_NO_ERROR) {
+    atlas_glyphs_ = 0;
+    throw EnvironmentError("OpenGL failed while drawing; is there enough memory?");
+  }
+  image.rgba.become(tiles_.edition());
+  if (request.background == nullptr) tiles_.settle();
 }
 
-void CanvasGpu::upload(std::span<const Batch> batches) {
+/// Puts together in `values_` what is to be uploaded.
+std::vector<CanvasGpu::Pass> CanvasGpu::passes_over(std::span<const TileSpan> parts, const BatchList& marks) {
+  std::vector<Pass> passes;
   values_.clear();
-  for (const Batch& batch : batches) values_.insert(values_.end(), batch.values.begin(), batch.values.end());
+  for (const TileSpan& part : parts) {
+    passes.push_back({grid_.pixels_of(part), {}});
+    for (const Batch& batch : marks.batches()) {
+      const Call call = gather(batch, part);
+      if (call.instances > 0) passes.back().calls.push_back(call);
+    }
+  }
+  return passes;
+}
+
+CanvasGpu::Call CanvasGpu::gather(const Batch& batch, const TileSpan& part) {
+  const std::size_t floats = 4 * vectors_per_instance(batch.kind);
+  Call call{batch.kind, values_.size(), 0};
+  const float* instance = batch.values.data();
+  for (const TileSpan& place : batch.places) {
+    if (overlaps(place, part)) {
+      values_.insert(values_.end(), instance, instance + floats);
+      ++call.instances;
+    }
+    instance += floats;
+  }
+  return call;
+}
+
+void CanvasGpu::upload_values() {
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, instances_);
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values_.size() * sizeof(float)), values_.data(),
@@ -135,10 +160,30 @@ void CanvasGpu::upload(std::span<const Batch> batches) {
 
 void CanvasGpu::upload(FontAtlas& atlas) {
   gl_.BindTexture(GL_TEXTURE_2D, atlas_);
-  if (!atlas.take_change()) return;
+  if (atlas_glyphs_ == atlas.glyphs()) return;
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.width_px(), atlas.height_px(), 0, GL_RED, GL_UNSIGNED_BYTE,
                  atlas.coverage().data());
+  atlas_glyphs_ = atlas.glyphs();
+}
+
+void CanvasGpu::draw_pass(const Pass& pass, const Request& request) {
+  gl_.Scissor(pass.area.left, pass.area.top, pass.area.width, pass.area.height);
+  gl_.ClearColor(part(request.ground.r), part(request.ground.g), part(request.ground.b), part(request.ground.a));
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  if (request.background != nullptr) put(*request.background);
+  for (const Call& call : pass.calls) draw_call(call, program_for(call.kind, request.mode));
+}
+
+/// Into the parts of an image of the picture's size.
+void CanvasGpu::read(std::span<const TileSpan> parts, Image& image) {
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.PixelStorei(GL_PACK_ROW_LENGTH, width_px_);
+  for (const TileSpan& part : parts) {
+    const PixelArea area = grid_.pixels_of(part);
+    gl_.ReadPixels(area.left, area.top, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                   image.row(area.top) + 4 * area.left);
+  }
 }
 
 GLuint CanvasGpu::program_for(ShapeKind kind, DrawMode mode) {
@@ -151,8 +196,8 @@ GLuint CanvasGpu::program_for(ShapeKind kind, DrawMode mode) {
   return program;
 }
 
-void CanvasGpu::draw_batch(const Batch& batch, GLuint program, std::size_t first_float) {
-  const std::size_t vectors = vectors_per_instance(batch.kind);
+void CanvasGpu::draw_call(const Call& call, GLuint program) {
+  const std::size_t vectors = vectors_per_instance(call.kind);
   const auto stride = static_cast<GLsizei>(vectors * 4 * sizeof(float));
   for (std::size_t i = 0; i < vectors; ++i) {
     const auto attribute = static_cast<GLuint>(i);
@@ -161,12 +206,11 @@ void CanvasGpu::draw_batch(const Batch& batch, GLuint program, std::size_t first
       gl_.VertexAttribDivisor(attribute, 1);
       enabled_attributes_ = i + 1;
     }
-    const std::uintptr_t offset = (first_float + i * 4) * sizeof(float);
+    const std::uintptr_t offset = (call.first_float + i * 4) * sizeof(float);
     gl_.VertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
   }
   gl_.UseProgram(program);
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, vertices_per_quad,
-                          static_cast<GLsizei>(batch.values.size() / (4 * vectors)));
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, vertices_per_quad, static_cast<GLsizei>(call.instances));
 }
 
 }  // namespace proofreel

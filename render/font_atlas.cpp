@@ -11,12 +11,6 @@ const AtlasGlyph& FontAtlas::glyph(const Font& font, int glyph, int size_px, int
   return glyphs_.emplace(key, place(font.rasterize(glyph, size_px, phase))).first->second;
 }
 
-bool FontAtlas::take_change() {
-  const bool changed = changed_;
-  changed_ = false;
-  return changed;
-}
-
 AtlasGlyph FontAtlas::place(const GlyphBitmap& bitmap) {
   if (bitmap.width_px == 0 || bitmap.width_px > width) return {};
   if (row_x_ + bitmap.width_px > width) {
@@ -33,7 +27,6 @@ AtlasGlyph FontAtlas::place(const GlyphBitmap& bitmap) {
   }
   const AtlasGlyph placed{row_x_, row_y_, bitmap.width_px, bitmap.height_px, bitmap.left_px, bitmap.top_px};
   row_x_ += bitmap.width_px;
-  changed_ = true;
   return placed;
 }
 

@@ -28,8 +28,8 @@ class FontAtlas {
   int width_px() const { return width; }
   int height_px() const { return static_cast<int>(coverage_.size()) / width; }
   const std::vector<std::uint8_t>& coverage() const { return coverage_; }
-  /// Whether glyphs were added since the last call.
-  bool take_change();
+  /// How many there are by now.
+  std::size_t glyphs() const { return glyphs_.size(); }
 
  private:
   AtlasGlyph place(const GlyphBitmap& bitmap);
@@ -40,7 +40,6 @@ class FontAtlas {
   int row_x_ = 0;       // where the next glyph goes
   int row_y_ = 0;       // top of the row being filled
   int row_height_ = 0;  // of its tallest glyph
-  bool changed_ = false;
 };
 
 }  // namespace proofreel

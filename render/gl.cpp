@@ -61,6 +61,7 @@ Gl::Gl(const GlContext& context) {
   load(context, "glRenderbufferStorage", RenderbufferStorage);
   load(context, "glDeleteRenderbuffers", DeleteRenderbuffers);
   load(context, "glViewport", Viewport);
+  load(context, "glScissor", Scissor);
   load(context, "glEnable", Enable);
   load(context, "glDisable", Disable);
   load(context, "glBlendFunc", BlendFunc);

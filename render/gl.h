@@ -65,6 +65,7 @@ struct Gl {
   PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
 
   PFNGLVIEWPORTPROC Viewport = nullptr;
+  PFNGLSCISSORPROC Scissor = nullptr;
   PFNGLENABLEPROC Enable = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;

@@ -40,16 +40,19 @@ void convert_color_row(const std::uint8_t* __restrict upper, const std::uint8_t*
 }  // namespace
 
 void convert_to_yuv420(const Image& image, const Yuv420& out) {
-  assert(image.width_px % 2 == 0 && image.height_px % 2 == 0);
-  const std::size_t stride = static_cast<std::size_t>(image.width_px) * 4;
-  for (int row = 0; row < image.height_px; row += 2) {
-    const std::uint8_t* upper = image.rgba.data() + static_cast<std::size_t>(row) * stride;
-    const std::uint8_t* lower = upper + stride;
-    std::uint8_t* y = out.y + static_cast<std::ptrdiff_t>(row) * out.y_stride;
-    const std::ptrdiff_t color = static_cast<std::ptrdiff_t>(row / 2) * out.uv_stride;
-    convert_luma_row(upper, y, image.width_px);
-    convert_luma_row(lower, y + out.y_stride, image.width_px);
-    convert_color_row(upper, lower, out.u + color, out.v + color, image.width_px / 2);
+  convert_to_yuv420(image, {0, 0, image.width_px, image.height_px}, out);
+}
+
+void convert_to_yuv420(const Image& image, const PixelArea& area, const Yuv420& out) {
+  assert(area.left % 2 == 0 && area.top % 2 == 0 && area.width % 2 == 0 && area.height % 2 == 0);
+  for (int row = area.top; row < area.top + area.height; row += 2) {
+    const std::uint8_t* upper = image.row(row) + 4 * area.left;
+    const std::uint8_t* lower = upper + image.row_bytes();
+    std::uint8_t* y = out.y + static_cast<std::ptrdiff_t>(row) * out.y_stride + area.left;
+    const std::ptrdiff_t color = static_cast<std::ptrdiff_t>(row / 2) * out.uv_stride + area.left / 2;
+    convert_luma_row(upper, y, area.width);
+    convert_luma_row(lower, y + out.y_stride, area.width);
+    convert_color_row(upper, lower, out.u + color, out.v + color, area.width / 2);
   }
 }
 

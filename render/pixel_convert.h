@@ -21,5 +21,7 @@ struct Yuv420 {
 /// Every colour sample is the mean of its 2 x 2 pixels, so it sits in their centre. Alpha is ignored. Width and height
 /// must be even. Within 1 of libswscale's accurate conversion, at a fifth of its time.
 void convert_to_yuv420(const Image& image, const Yuv420& out);
+/// Only this part of the picture, whose edges must be even, too.
+void convert_to_yuv420(const Image& image, const PixelArea& area, const Yuv420& out);
 
 }  // namespace proofreel

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "render/context.h"
 #include "render/pixel_convert.h"
@@ -83,11 +84,19 @@ Encoder::Encoder(const FilmSettings& settings, FilmCodec codec)
   check_allocated(packet_.get());
 }
 
+/// Only what is not as in the frame before, where pictures know that.
 void Encoder::convert(const Image& image) {
   AVFrame& out = *frame_;
+  const Edition before = std::exchange(converted_, image.rgba.edition());
+  if (converted_.same_as(before)) return;
   if (out.format != AV_PIX_FMT_YUV420P && out.format != AV_PIX_FMT_YUVA420P)
     return convert_by_swscale(image, out, scaler_);
-  convert_to_yuv420(image, {out.data[0], out.data[1], out.data[2], out.linesize[0], out.linesize[1]});
+  const Yuv420 planes{out.data[0], out.data[1], out.data[2], out.linesize[0], out.linesize[1]};
+  if (converted_.follows(before)) {
+    for (const PixelArea& change : converted_.changes) convert_to_yuv420(image, change, planes);
+  } else {
+    convert_to_yuv420(image, planes);
+  }
   if (out.format == AV_PIX_FMT_YUVA420P) copy_alpha(image, out.data[3], out.linesize[3]);
 }
 

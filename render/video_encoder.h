@@ -36,6 +36,7 @@ class Encoder {
   Codec context_;
   std::unique_ptr<SwsContext, FreeScaler> scaler_;
   Frame frame_;
+  Edition converted_;  // what is in the frame
   Packet packet_;
   std::int64_t frames_ = 0;
 };

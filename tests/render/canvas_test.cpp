@@ -166,6 +166,34 @@ TEST_CASE("A translucent stroke has no beads at its joints") {
   CHECK(ink(image) > 100);
 }
 
+TEST_CASE("A stroke covers all that is within half its width of it, however it turns") {
+  constexpr double width = 14;
+  for (int degrees = -175; degrees <= 175; degrees += 10) {
+    const double turn = degrees * pi / 180;
+    const Vec2d middle{60, 60};
+    const std::array<Vec2d, 4> points{middle - Vec2d{40, 3}, middle - Vec2d{2, 0}, middle,
+                                      middle + 38.0 * Vec2d{elementary::cos(turn), elementary::sin(turn)}};
+    const Image image = picture(120, 120, [&](Canvas& canvas) { canvas.stroke(points, width, black, black); });
+    const auto distance_to_segment = [](Vec2d p, Vec2d a, Vec2d b) {
+      const double along = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+      return distance(p, lerp(a, b, along));
+    };
+    int gaps = 0, beyond = 0;
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 120; ++x) {
+        double nearest = 1e9;
+        for (std::size_t i = 1; i < points.size(); ++i)
+          nearest = std::min(nearest, distance_to_segment({x + 0.5, y + 0.5}, points[i - 1], points[i]));
+        gaps += nearest < 0.5 * width - 0.51 && red(image, x, y) > 0 ? 1 : 0;
+        beyond += nearest > 0.5 * width + 0.51 && red(image, x, y) < 255 ? 1 : 0;
+      }
+    }
+    CAPTURE(degrees);
+    CHECK(gaps == 0);
+    CHECK(beyond == 0);
+  }
+}
+
 TEST_CASE("An arrow ends exactly in its point, and a short one keeps its length") {
   for (const double reach : {80.0, 12.0, 5.0}) {
     const Image image = picture(128, 32, [reach](Canvas& canvas) {
@@ -232,6 +260,18 @@ TEST_CASE("What is off the picture or not finite draws nothing") {
     canvas.disc({20, 15}, 8, {nothing, nothing, 2});
   });
   CHECK(ink(image) == 0);
+}
+
+TEST_CASE("Spaces draw nothing, also before the first letter") {
+  Canvas canvas(context(), 60, 40);
+  Image spaces, letters;
+  canvas.clear(white);
+  canvas.text("  ", {10, 20}, 12, Align::left, black);
+  canvas.finish(spaces);
+  CHECK(ink(spaces) == 0);
+  canvas.text("ab", {10, 20}, 12, Align::left, black);
+  canvas.finish(letters);
+  CHECK(ink(letters) > 20);
 }
 
 TEST_CASE("A canvas draws the same picture again after another one") {

@@ -1,5 +1,6 @@
-// Prints the fingerprint of the sample frame drawn through the backend named by the first argument. The environment
-// decides how Mesa draws it, and Mesa reads it only once, so the test starts this program anew for each.
+// Prints the fingerprint of the sample frame drawn through the backend named by the first argument, and once more when
+// it is drawn upon a picture that lacks some of it. The environment decides how Mesa draws it, and Mesa reads it only
+// once, so the test starts this program anew for each.
 
 #include <cstdio>
 
@@ -13,8 +14,11 @@ int main(int count, char** arguments) {
   Image image;
   for (const Theme theme : {Theme::light, Theme::dark}) {
     Canvas canvas(*context, 640, 360);
-    draw_frame(canvas, sample_frame(), {theme}, image);
-    std::printf("%016llx\n", static_cast<unsigned long long>(painted::fingerprint(image)));
+    for (int round = 0; round < 2; ++round) {
+      draw_frame(canvas, sample_frame(), {theme}, image);
+      std::printf("%016llx\n", static_cast<unsigned long long>(painted::fingerprint(image)));
+      draw_frame(canvas, with_layers(sample_frame(), {Layer::bodies, Layer::grid}), {theme}, image);
+    }
   }
   return 0;
 }

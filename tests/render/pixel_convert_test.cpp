@@ -120,6 +120,29 @@ TEST_CASE("The primaries have the values BT.709 gives them", "[convert]") {
   require_one_color(filled_image(4, 2, 0, 0, 255), 32, 240, 118);
 }
 
+TEST_CASE("A part of a picture is converted as in the whole, and nothing beside it is touched", "[convert]") {
+  const Image before = noise_image(66, 34, 11, true), after = noise_image(66, 34, 12, true);
+  const Planes whole = ours(after), old = ours(before);
+  for (const PixelArea& area : {PixelArea{0, 0, 66, 34}, {16, 2, 32, 16}, {64, 32, 2, 2}, {0, 10, 18, 24}}) {
+    Planes planes = old;
+    convert_to_yuv420(after, area, planes.view());
+    const auto is_inside = [&area](int x, int y) {
+      return x >= area.left && x < area.left + area.width && y >= area.top && y < area.top + area.height;
+    };
+    int wrong = 0;
+    for (int i = 0; i < 66 * 34; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      wrong += planes.y[at] != (is_inside(i % 66, i / 66) ? whole : old).y[at] ? 1 : 0;
+    }
+    for (int i = 0; i < 33 * 17; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Planes& from = is_inside(2 * (i % 33), 2 * (i / 33)) ? whole : old;
+      wrong += planes.u[at] != from.u[at] || planes.v[at] != from.v[at] ? 1 : 0;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("Alpha changes nothing", "[convert]") {
   Image image = noise_image(32, 32, 6, true);
   const Planes opaque = ours(image);

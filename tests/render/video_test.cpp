@@ -1,5 +1,6 @@
 #include "render/video.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -51,6 +52,46 @@ TEST_CASE("Every frame given to an MP4 can be decoded again, the last one too, e
       REQUIRE(std::abs(red_at_center(film.frames[static_cast<std::size_t>(i)]) - gray_of(i)) <= 4);
     }
     REQUIRE(folder.file_count() == 1);
+  }
+}
+
+/// A gray square that wanders over noise. Between its pictures some are left out, some come twice.
+std::vector<Image> wanderings(bool knows_editions) {
+  std::vector<Image> pictures;
+  const Image noise = noise_image(64, 48, 3, true);
+  PixelArea last;
+  for (int i = 0; i < 40; ++i) {
+    const PixelArea square{2 * (i % 24), 2 * (i * 7 % 16), 16, 16};
+    Image image = noise;
+    for (int y = square.top; y < square.top + 16; ++y) std::fill_n(image.row(y) + 4 * square.left, 64, gray_of(i));
+    if (knows_editions) image.rgba.become({i < 30 ? 100U : 101U, static_cast<std::uint64_t>(i + 1), {last, square}});
+    last = square;
+    if (i % 7 == 5) continue;
+    pictures.push_back(image);
+    if (i % 5 == 2) pictures.push_back(image);
+  }
+  return pictures;
+}
+
+TEST_CASE("Pictures that know where they differ make the same film as those that do not", "[video]") {
+  const ScratchFolder folder;
+  for (const char* name : {"a.mp4", "a.mkv", "a.webm", "a.apng"}) {
+    CAPTURE(name);
+    std::array<DecodedFilm, 2> films;
+    for (const bool knows : {false, true}) {
+      FilmSettings settings = small(Quality::lossless);
+      settings.threads = 1;
+      const std::unique_ptr<Sink> sink = make_video_sink(folder / name, settings);
+      for (const Image& picture : wanderings(knows)) sink->frame(picture);
+      sink->finish();
+      films[knows ? 1 : 0] = decode_film(folder / name);
+    }
+    REQUIRE(films[0].frames.size() == films[1].frames.size());
+    int different = 0;
+    for (std::size_t i = 0; i < films[0].frames.size(); ++i)
+      different += films[0].frames[i].rgba == films[1].frames[i].rgba ? 0 : 1;
+    CHECK(different == 0);
+    CHECK_FALSE(films[0].frames.front().rgba == films[0].frames.back().rgba);
   }
 }
 
