@@ -20,12 +20,14 @@ using BodyIndex = std::uint32_t;
 
 /// The moving part of a body. During a tick positions are kept as the way gone since the tick began: differences of
 /// these stay exact even where the coordinates themselves are large.
+/// The masses come in this order because compilers load `inv_mass` together with its neighbour: if that were `spin`,
+/// which the constraint before has just stored by itself, the load would have to wait for the memory.
 struct Motion {
-  Vec2 velocity;      ///< of the centre of mass
-  real spin = 0;      ///< rad/s
-  real inv_mass = 0;  ///< 1/kg; 0 for what nothing pushes
+  Vec2 velocity;  ///< of the centre of mass
+  real spin = 0;  ///< rad/s
   real inv_inertia = 0;
-  Vec2 delta;  ///< of the centre of mass, since the tick began
+  real inv_mass = 0;  ///< 1/kg; 0 for what nothing pushes
+  Vec2 delta;         ///< of the centre of mass, since the tick began
   Rot rotation;
   real angle = 0;  ///< of `rotation`, continuous
 

@@ -17,6 +17,9 @@ constexpr real baumgarte = real(0.2);
 /// Positions are moved by no more than this part of the thickness at a time.
 constexpr real longest_move = real(0.2);
 
+/// With more overlap than this part, pushing it out takes a good deal of what a contact gives.
+constexpr real deep_part = real(0.03);
+
 real inverse_or_zero(real x) { return x > 0 ? 1 / x : 0; }
 
 real effective_mass(const Motion& a, const Motion& b, const ConstraintPoint& p, Vec2 direction) {
@@ -356,6 +359,17 @@ void ContactSolver::part(std::vector<Motion>& motions, real h) const {
       if (motions[constraints_[i].body_a].inv_mass <= 0 || motions[constraints_[i].body_b].inv_mass <= 0) move(i);
     }
   }
+}
+
+std::vector<std::uint8_t> ContactSolver::overlapping_bodies(const std::vector<Contact>& contacts,
+                                                            std::size_t body_count) const {
+  std::vector<std::uint8_t> overlapping;
+  for (const ContactConstraint& c : constraints_) {
+    if (c.exact || deepest(contacts[c.contact].manifold) >= -deep_part * c.length) continue;
+    overlapping.resize(body_count);
+    overlapping[c.body_a] = overlapping[c.body_b] = 1;
+  }
+  return overlapping;
 }
 
 void ContactSolver::end_substep() {

@@ -118,6 +118,9 @@ class ContactSolver {
   /// Looks at some of the contacts anew amid a tick; all others go on as they were prepared.
   void take_in(const std::vector<std::uint32_t>& which, const std::vector<Contact>& contacts,
                const std::vector<Shape>& shapes, const std::vector<Motion>& motions);
+  /// By body, of so many: whether sweeps drive it out of something that it is deep inside at the start of the tick.
+  /// Empty where there is none.
+  std::vector<std::uint8_t> overlapping_bodies(const std::vector<Contact>& contacts, std::size_t body_count) const;
   /// Ends a substep: books its impulses and looks which contacts stick and which slide.
   void end_substep();
   /// Hands the impulses back to the contacts.

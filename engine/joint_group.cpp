@@ -62,7 +62,10 @@ void JointGroup::add_link(std::uint32_t id, const std::vector<Joint>& joints, Ro
   }
 }
 
-void JointGroup::begin_tick(const JointedBodies& scene) {
+/// Not in turns where a motor drives: what jams it would wind contacts and pins up against each other.
+void JointGroup::begin_tick(const JointedBodies& scene, std::span<const std::uint8_t> overlapping) {
+  in_turns_ = driven_ == 0 && !overlapping.empty() &&
+              std::any_of(bodies_.begin(), bodies_.end(), [overlapping](BodyIndex i) { return overlapping[i] != 0; });
   for (Link& link : links_) link.anchors = anchors_of(scene.joints[link.joint], scene.bodies);
 }
 
@@ -147,14 +150,21 @@ void JointGroup::book_reactions(const JointedBodies& scene) {
 /// Motors give one half of their impulse before the drift and one half after it, as all forces do: what a motor holds
 /// does not creep, and what it accelerates does so to second order.
 void JointGroup::begin_substep(const JointedBodies& scene, real h, real share) {
+  share_ = share;
   if (driven_ > 0) begin_motors(scene, h, share);
   for (Row& row : rows_) {
     row.pushed = 0;
-    if (row.plan.bound == Bound::at_least && !memory(row, scene).engaged) continue;
-    // Forces that redundant joints exert on each other move nothing and would grow from substep to substep.
-    if (redundant_ && !uneven_ && row.plan.bound != Bound::driven) memory(row, scene).impulse = 0;
-    apply(row, row.plan.bound == Bound::driven ? row.begun : memory(row, scene).impulse, scene);
+    if (row.plan.bound != Bound::driven) begin_row(row, scene);
+    if (row.plan.bound != Bound::at_least || memory(row, scene).engaged) apply(row, row.begun, scene);
   }
+}
+
+/// Forces that redundant joints exert on each other move nothing and would grow from substep to substep.
+inline void JointGroup::begin_row(Row& row, const JointedBodies& scene) {
+  RowMemory& kept = memory(row, scene);
+  const bool holds = row.plan.bound == Bound::equal || kept.engaged;
+  if (holds && redundant_ && !uneven_) kept.impulse = 0;
+  row.begun = holds ? kept.impulse : 0;
 }
 
 void JointGroup::begin_motors(const JointedBodies& scene, real h, real share) {

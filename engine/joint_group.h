@@ -40,15 +40,16 @@ class JointGroup {
   std::uint32_t first_joint() const { return rows_.front().joint; }
   /// Joints of one group sleep together.
   bool acts(const std::vector<Joint>& joints) const { return joints[rows_.front().joint].acts; }
-  /// Looks where its anchors are. Call at the start of every tick, and then `linearize`.
-  void begin_tick(const JointedBodies& scene);
+  /// Looks where its anchors are, and whether it has its say in turns with contacts: `overlapping` are the bodies
+  /// that sweeps of contacts drive out of something. Call at the start of every tick, and then `linearize`.
+  void begin_tick(const JointedBodies& scene, std::span<const std::uint8_t> overlapping);
   /// Takes directions from the present positions. Call after every drift, and at the start of a tick.
   void linearize(const JointedBodies& scene);
-  /// Starts a substep of `h` from the impulses of the one before; motors give the `share` of them that belongs before
-  /// the drift.
+  /// Starts a substep of `h` from the impulses of the one before; motors, or all rows in turns with contacts, give the
+  /// `share` of them that belongs before the drift.
   void begin_substep(const JointedBodies& scene, real h, real share);
-  /// Motors give as much again as before the drift, as contacts do: contacts and joints have their say in turns, and
-  /// what rests on a driven body has to see its motor hold.
+  /// Motors, or all rows in turns with contacts, give as much again as they began with, as contacts do: what rests on
+  /// a driven body has to see its motor hold, and what lies under a jointed one how it is loaded.
   /// Call before the contacts relax.
   void add_share(const JointedBodies& scene);
   /// Changes velocities so that drifting for `h` ends on the joints. True when joints were too far open for that: then
@@ -58,6 +59,8 @@ class JointGroup {
   void take_back_moves(std::vector<Motion>& motions);
   /// Changes velocities so that no joint is opening, and motors run at their speeds.
   void solve_velocities(const JointedBodies& scene, real h);
+  /// Decides what the next substep starts from, where contacts have their say, too.
+  void end_substep(const JointedBodies& scene);
   /// The least change of velocities after which the rows that held in the last stage stand still: how the joints answer
   /// to pushes on bodies at rest. Books nothing.
   void hold(std::vector<Motion>& motions) const;
@@ -95,7 +98,7 @@ class JointGroup {
     real value = 0;        ///< C at the start of this substep
     real goal = 0;         ///< what is left of C after this substep
     real scale = 1;        ///< what is missed of it is measured by
-    real begun = 0;        ///< driven: impulse given before the drift
+    real begun = 0;        ///< impulse it has started the substep with, and gives again after the drift
     real pushed = 0;       ///< impulse of the velocity stage
     real pushed_before = 0;
     real speed_before = 0;  ///< driven: when its impulse began to act
@@ -173,6 +176,7 @@ class JointGroup {
     return scene.joints[row.joint].memory[row.slot];
   }
   real scale_of(const Row& row, const JointedBodies& scene) const;
+  void begin_row(Row& row, const JointedBodies& scene);
   void begin_motors(const JointedBodies& scene, real h, real share);
   void book_begun(const JointedBodies& scene);
   void apply(Row& row, real impulse, const JointedBodies& scene) const {
@@ -243,6 +247,8 @@ class JointGroup {
   bool redundant_ = false;  ///< some rows follow from the others
   bool uneven_ = false;     ///< they seem to, but it is the masses that differ
   bool strained_ = false;   ///< a kinematic body pulls its joints apart in this substep
+  bool in_turns_ = false;   ///< with contacts, in this tick; it has no motors then
+  real share_ = 1;          ///< of an impulse that belongs before the drift
   int equal_ = 0;           ///< how many rows are
   int one_sided_ = 0;
   int driven_ = 0;

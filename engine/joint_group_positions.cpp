@@ -149,6 +149,7 @@ bool JointGroup::settle_positions(const JointedBodies& scene, real h, bool one_a
     if (row.on ? kept.impulse >= 0 : miss_of(row, scene, h) >= -row_tolerance * row.scale) continue;
     if (row.on) apply(row, -kept.impulse, scene);
     kept.impulse = 0;
+    row.begun = 0;
     switch_row(row, !row.on);
     kept.engaged = row.on;
     changed = true;
@@ -176,6 +177,7 @@ void JointGroup::close_gently(const JointedBodies& scene, real h) {
     real& impulse = memory(row, scene).impulse;
     apply(row, -impulse, scene);
     impulse = 0;
+    row.begun = 0;
   }
   strained_ = has_mover(scene);
   if (strained_) assemble(scene.motions);

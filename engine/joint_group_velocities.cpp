@@ -18,6 +18,12 @@ constexpr real most_missed = real(0.025);
 }  // namespace
 
 void JointGroup::add_share(const JointedBodies& scene) {
+  if (in_turns_) {
+    for (Row& row : rows_) {
+      apply(row, row.begun, scene);
+      row.pushed += row.begun;
+    }
+  }
   if (driven_ == 0) return;
   for (Row& row : rows_) {
     if (row.plan.bound != Bound::driven) continue;
@@ -25,6 +31,18 @@ void JointGroup::add_share(const JointedBodies& scene) {
     apply(row, row.begun, scene);
     row.pushed += row.begun;
     work_ += static_cast<double>(row.begun * real(0.5) * (before + speed_of(row.terms, scene.motions)));
+  }
+}
+
+/// Contacts start the next substep from what they gave in the whole of this one, without what drove overlap out before
+/// the drift and was taken back after it. Started from what they gave before the drift, joints would still answer to
+/// that push, and the contacts' only sweep would spend itself on bearing their answer.
+void JointGroup::end_substep(const JointedBodies& scene) {
+  if (!in_turns_) return;
+  for (Row& row : rows_) {
+    if (row.plan.bound == Bound::driven) continue;
+    real& impulse = memory(row, scene).impulse;
+    impulse = share_ * (impulse + row.pushed);
   }
 }
 

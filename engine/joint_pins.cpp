@@ -26,16 +26,20 @@ void JointPins::add(std::uint32_t joint, std::uint32_t slot, const std::vector<J
   source.slot = slot;
 }
 
+void JointPins::begin_tick(const JointedBodies& scene) {
+  for (Source& source : sources_) source.anchors = anchors_of(scene.joints[source.joint], scene.bodies);
+}
+
 /// The response of both points together is a symmetric matrix of 2 x 2, inverted by Cramer's rule.
 void JointPins::linearize(const JointedBodies& scene) {
   for (std::size_t i = 0; i < pins_.size(); ++i) {
     Pin& pin = pins_[i];
-    const JointPlace place = place_of(scene.joints[sources_[i].joint], scene.bodies, scene.motions);
+    const Motion& a = scene.motions[pin.body_a];
+    const Motion& b = scene.motions[pin.body_b];
+    const JointPlace place = place_of(sources_[i].anchors, a, b);
     pin.arm_a = place.arm_a;
     pin.arm_b = place.arm_b;
     pin.gap = place.gap;
-    const Motion& a = scene.motions[pin.body_a];
-    const Motion& b = scene.motions[pin.body_b];
     const real inv_mass = a.inv_mass + b.inv_mass;
     const real x = inv_mass + a.inv_inertia * pin.arm_a.y * pin.arm_a.y + b.inv_inertia * pin.arm_b.y * pin.arm_b.y;
     const real y = inv_mass + a.inv_inertia * pin.arm_a.x * pin.arm_a.x + b.inv_inertia * pin.arm_b.x * pin.arm_b.x;
@@ -71,22 +75,33 @@ void JointPins::add_share(const JointedBodies& scene, real share) {
   }
 }
 
-/// Rigid, or with the give of a spring that closes the gap.
-inline void JointPins::solve(Pin& pin, const Softness& give, std::vector<Motion>& motions) {
-  const Vec2 parting = motions[pin.body_b].velocity_at(pin.arm_b) - motions[pin.body_a].velocity_at(pin.arm_a);
-  const Vec2 lacking = -(give.bias_rate * pin.gap) - parting;
-  const Vec2 wanted{pin.mass_x * lacking.x + pin.mass_xy * lacking.y, pin.mass_xy * lacking.x + pin.mass_y * lacking.y};
-  const Vec2 change = give.mass_scale * wanted - give.impulse_scale * pin.given;
-  pin.given += change;
-  push(pin, change, motions);
+inline Vec2 JointPins::parting_speed(const Pin& pin, const std::vector<Motion>& motions) {
+  return motions[pin.body_b].velocity_at(pin.arm_b) - motions[pin.body_a].velocity_at(pin.arm_a);
 }
 
-void JointPins::sweep(const Softness& give, std::vector<Motion>& motions) {
-  for (Pin& pin : pins_) solve(pin, give, motions);
+/// The impulse that changes the speed of the points by so much.
+inline Vec2 JointPins::impulse_for(const Pin& pin, Vec2 speed) {
+  return {pin.mass_x * speed.x + pin.mass_xy * speed.y, pin.mass_xy * speed.x + pin.mass_y * speed.y};
 }
 
-void JointPins::sweep_back(const Softness& give, std::vector<Motion>& motions) {
-  for (std::size_t i = pins_.size(); i-- > 0;) solve(pins_[i], give, motions);
+inline void JointPins::give(Pin& pin, Vec2 impulse, std::vector<Motion>& motions) {
+  pin.given += impulse;
+  push(pin, impulse, motions);
+}
+
+/// Each pin waits for the one before it, so every operation counts: what springs do is left out where there are none.
+void JointPins::sweep_softly(Softness spring, std::vector<Motion>& motions) {
+  for (Pin& pin : pins_) {
+    const Vec2 lacking = -(spring.bias_rate * pin.gap) - parting_speed(pin, motions);
+    give(pin, spring.mass_scale * impulse_for(pin, lacking) - spring.impulse_scale * pin.given, motions);
+  }
+}
+
+void JointPins::sweep_back(std::vector<Motion>& motions) {
+  for (std::size_t i = pins_.size(); i-- > 0;) {
+    Pin& pin = pins_[i];
+    give(pin, impulse_for(pin, -parting_speed(pin, motions)), motions);
+  }
 }
 
 void JointPins::book(const JointedBodies& scene) {

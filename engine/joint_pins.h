@@ -20,14 +20,17 @@ class JointPins {
   /// `slot` is the place of the first of the pin's two rows in the joint's memory.
   void add(std::uint32_t joint, std::uint32_t slot, const std::vector<Joint>& joints);
   std::size_t size() const { return pins_.size(); }
+  /// Looks where the anchors are. Call at the start of every tick, and then `linearize`.
+  void begin_tick(const JointedBodies& scene);
   void linearize(const JointedBodies& scene);
   /// Takes up the impulses of the substep before.
   void begin_substep(const JointedBodies& scene);
   /// Applies this share of them.
   void add_share(const JointedBodies& scene, real share);
-  /// One sweep, from the first pin to the last or back.
-  void sweep(const Softness& give, std::vector<Motion>& motions);
-  void sweep_back(const Softness& give, std::vector<Motion>& motions);
+  /// One sweep from the first pin to the last, with the give of springs that close the gaps.
+  void sweep_softly(Softness spring, std::vector<Motion>& motions);
+  /// One sweep back, rigid.
+  void sweep_back(std::vector<Motion>& motions);
   /// Tells the joints what has been given since the last time, before directions change.
   void book(const JointedBodies& scene);
   /// Hands the impulses back to the joints.
@@ -51,13 +54,16 @@ class JointPins {
   struct Source {
     std::uint32_t joint = 0;
     std::uint32_t slot = 0;
-    Vec2 warm;    ///< impulse of the substep before
-    Vec2 booked;  ///< the part of the impulse that the joint knows of
-    Vec2 total;   ///< impulse since work was last taken
+    Anchors anchors;  ///< in this tick
+    Vec2 warm;        ///< impulse of the substep before
+    Vec2 booked;      ///< the part of the impulse that the joint knows of
+    Vec2 total;       ///< impulse since work was last taken
   };
 
   static void push(const Pin& pin, Vec2 impulse, std::vector<Motion>& motions);
-  static void solve(Pin& pin, const Softness& give, std::vector<Motion>& motions);
+  static Vec2 parting_speed(const Pin& pin, const std::vector<Motion>& motions);
+  static Vec2 impulse_for(const Pin& pin, Vec2 speed);
+  static void give(Pin& pin, Vec2 impulse, std::vector<Motion>& motions);
 
   std::vector<Pin> pins_;
   std::vector<Source> sources_;  ///< parallel to pins_

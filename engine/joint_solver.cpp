@@ -118,8 +118,9 @@ void JointSolver::lay_aside_sleepers(const std::vector<Joint>& joints) {
   put_in_order(asleep_);
 }
 
-void JointSolver::begin_tick(const JointedBodies& scene) {
-  for (JointGroup& group : groups_) group.begin_tick(scene);
+void JointSolver::begin_tick(const JointedBodies& scene, std::span<const std::uint8_t> overlapping) {
+  for (JointGroup& group : groups_) group.begin_tick(scene, overlapping);
+  sweeps_.begin_tick(scene);
   linearize(scene);
 }
 
@@ -152,6 +153,10 @@ void JointSolver::take_back_moves(std::vector<Motion>& motions) {
 void JointSolver::solve_velocities(const JointedBodies& scene, real h) {
   for (JointGroup& group : groups_) group.solve_velocities(scene, h);
   sweeps_.solve_velocities(scene, h);
+}
+
+void JointSolver::end_substep(const JointedBodies& scene) {
+  for (JointGroup& group : groups_) group.end_substep(scene);
 }
 
 real JointSolver::fastest_swing(const JointedBodies& scene, real dt) {

@@ -45,13 +45,14 @@ class JointSolver {
   JointGroup& group(std::size_t group) { return groups_[group]; }
 
   // All joints; what each of these does is told in joint_group.h.
-  void begin_tick(const JointedBodies& scene);
+  void begin_tick(const JointedBodies& scene, std::span<const std::uint8_t> overlapping);
   void linearize(const JointedBodies& scene);
   void begin_substep(const JointedBodies& scene, real h, real share);
   void add_share(const JointedBodies& scene, real share);
   bool solve_positions(const JointedBodies& scene, real h);
   void take_back_moves(std::vector<Motion>& motions);
   void solve_velocities(const JointedBodies& scene, real h);
+  void end_substep(const JointedBodies& scene);
   double take_work(const JointedBodies& scene);
   /// For archives (world_archive.cpp): what it remembers from tick to tick, its groups being made already.
   template <typename Archive, typename Self>

@@ -160,7 +160,7 @@ void JointSweeps::solve_positions(const JointedBodies& scene, real h) {
   const Softness soft = make_softness(plan_.stiffness / h, damping_ratio, h);
   for (int sweep = 0; sweep < plan_.sweeps; ++sweep) {
     count_row_updates(row_count());
-    pins_.sweep(soft, scene.motions);
+    pins_.sweep_softly(soft, scene.motions);
     for (std::size_t i = 0; i < rows_.size(); ++i) solve(i, soft, scene, h);
   }
   book(scene);
@@ -175,7 +175,7 @@ void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
       const bool open_stop = !rows_[i].plain && sources_[i].plan.bound == Bound::at_least && rows_[i].value > 0;
       if (!open_stop || rows_[i].given > 0) solve(i, rigid, scene, h);
     }
-    pins_.sweep_back(rigid, scene.motions);
+    pins_.sweep_back(scene.motions);
   }
   book(scene);
   pins_.store(scene);

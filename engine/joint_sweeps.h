@@ -30,6 +30,8 @@ class JointSweeps {
   void rebuild(const std::vector<Joint>& joints, const std::vector<std::uint32_t>& ids, RowsWanted wanted);
   bool empty() const { return row_count() == 0; }
   std::size_t row_count() const { return rows_.size() + 2 * pins_.size(); }
+  /// Looks where its anchors are. Call at the start of every tick, and then `linearize`.
+  void begin_tick(const JointedBodies& scene) { pins_.begin_tick(scene); }
   /// Takes directions from the present positions. Call after every drift.
   void linearize(const JointedBodies& scene);
   /// Starts a substep: applies `share` of the impulses of the one before.

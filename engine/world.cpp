@@ -167,7 +167,11 @@ void World::prepare_solvers() {
     });
   }
   if (on(Effect::joints)) {
-    timed(StepStage::joint_solver, [this] { joint_solver_.begin_tick(jointed()); });
+    timed(StepStage::joint_solver, [this] {
+      std::vector<std::uint8_t> overlapping;
+      if (on(Effect::contacts)) overlapping = contact_solver_.overlapping_bodies(contacts_, bodies_.size());
+      joint_solver_.begin_tick(jointed(), overlapping);
+    });
   }
 }
 
@@ -307,6 +311,7 @@ void World::relax(real h) {
   }
   if (on(Effect::contacts) && !exact_contacts_.empty()) relax_exactly(h);
   contact_solver_.end_substep();
+  if (on(Effect::contacts) && has_rigid_joints()) joint_solver_.end_substep(jointed());
 }
 
 void World::relax_exactly(real h) {

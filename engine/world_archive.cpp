@@ -19,7 +19,7 @@ constexpr std::uint32_t version = 5;
 
 template <typename Archive, Exchanged<Motion> T>
 void exchange(Archive& archive, T& motion) {
-  auto& [velocity, spin, inv_mass, inv_inertia, delta, rotation, angle] = motion;
+  auto& [velocity, spin, inv_inertia, inv_mass, delta, rotation, angle] = motion;
   archive(velocity, spin, inv_mass, inv_inertia, delta, rotation, angle);
 }
 
@@ -163,7 +163,7 @@ template <typename Archive, typename Self>
 void JointGroup::exchange(Archive& archive, Self& group) {
   [[maybe_unused]] auto& [rows, links, bounded, on, links_on, bodies, seen, ahead, ahead_places, factored_with,
                           couplings, matrix, levers, right_side, scales, too_dense, renumber, stale, redundant, uneven,
-                          strained, equal, one_sided, driven, work, moved_from] = group;
+                          strained, in_turns, share, equal, one_sided, driven, work, moved_from] = group;
   archive(redundant, uneven, strained);
 }
 

@@ -57,6 +57,30 @@ Seen watched(Simulation& simulation, int boxes, double seconds) {
   return seen;
 }
 
+/// A shin of 0.4 m whose far end is `depth` inside the ground, and on its knee at the surface an upright thigh of
+/// `load` times its mass.
+Scene leg_in_ground(double depth, double load, Integrator integrator) {
+  const double angle = std::asin(depth / 0.4);
+  const Vec2d across = 0.05 * Vec2d{std::sin(angle), std::cos(angle)};
+  BodyDef shin = body_with(box_shape(0.4, 0.1), across + 0.2 * Vec2d{std::cos(angle), -std::sin(angle)});
+  shin.angle = -angle;
+  BodyDef thigh = body_with(box_shape(0.1, 0.4), across + Vec2d{0, 0.2});
+  thigh.mass = 0.04 * load;
+  Scene scene;
+  scene.rate = 60;
+  scene.method.integrator = integrator;
+  scene.method.contact_solver = ContactMethod::soft_step;
+  scene.method.substeps = 4;
+  scene.bodies = {floor_body(), shin, thigh};
+  scene.joints = {joint_between(JointKind::revolute, nth(0), {-0.2, 0}, nth(1), {0, -0.2})};
+  return scene;
+}
+
+double lowest_corner(const BodyState& shin) {
+  const double drop = 0.2 * std::abs(std::sin(shin.angle)) + 0.05 * std::abs(std::cos(shin.angle));
+  return shin.center.y - drop;
+}
+
 }  // namespace
 
 TEST_CASE("Boxes that overlap by a quarter part at a bounded speed and stay a pyramid", "[overlap]") {
@@ -95,4 +119,17 @@ TEST_CASE("What parts bodies is booked as work, so that no energy comes from now
   const Seen seen = watched(*simulation, 2, 3);
   CHECK(simulation->energy().booked_work > 1);
   CHECK(seen.gained < 0.1);
+}
+
+// Joints that go on answering to a push which is over press a limb into the ground, the more the heavier its load is.
+TEST_CASE("How fast a limb leaves the ground it is in depends neither on its load nor on the integrator", "[overlap]") {
+  const Integrator integrator = GENERATE(Integrator::verlet, Integrator::symplectic_euler);
+  const double load = GENERATE(1.0, 5.0, 20.0);
+  CAPTURE(load);
+  const auto simulation = simulate(leg_in_ground(0.15, load, integrator));
+  CHECK(lowest_corner(simulation->body(nth(0))) == Approx(-0.15));
+  run(*simulation, 0.5, 60);
+  CHECK(lowest_corner(simulation->body(nth(0))) == Approx(-0.037).margin(0.005));
+  run(*simulation, 2, 60);
+  CHECK(lowest_corner(simulation->body(nth(0))) > -0.002);
 }
