@@ -27,7 +27,11 @@ void JointPins::add(std::uint32_t joint, std::uint32_t slot, const std::vector<J
 }
 
 void JointPins::begin_tick(const JointedBodies& scene) {
-  for (Source& source : sources_) source.anchors = anchors_of(scene.joints[source.joint], scene.bodies);
+  for (Source& source : sources_) {
+    const Joint& joint = scene.joints[source.joint];
+    source.anchors = anchors_of(joint, scene.bodies);
+    source.warm = {joint.memory[source.slot].impulse, joint.memory[source.slot + 1].impulse};
+  }
 }
 
 /// The response of both points together is a symmetric matrix of 2 x 2, inverted by Cramer's rule.
@@ -57,22 +61,21 @@ inline void JointPins::push(const Pin& pin, Vec2 impulse, std::vector<Motion>& m
   motions[pin.body_b].push(impulse, pin.arm_b);
 }
 
-void JointPins::begin_substep(const JointedBodies& scene) {
+inline void JointPins::give(Pin& pin, Vec2 impulse, std::vector<Motion>& motions) {
+  pin.given += impulse;
+  push(pin, impulse, motions);
+}
+
+void JointPins::begin_substep(real share, std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < pins_.size(); ++i) {
-    Source& source = sources_[i];
-    const auto& memory = scene.joints[source.joint].memory;
-    source.warm = {memory[source.slot].impulse, memory[source.slot + 1].impulse};
-    source.booked = {};
     pins_[i].given = {};
+    sources_[i].kept = {};
+    give(pins_[i], share * sources_[i].warm, motions);
   }
 }
 
-void JointPins::add_share(const JointedBodies& scene, real share) {
-  for (std::size_t i = 0; i < pins_.size(); ++i) {
-    const Vec2 impulse = share * sources_[i].warm;
-    pins_[i].given += impulse;
-    push(pins_[i], impulse, scene.motions);
-  }
+void JointPins::add_share(real share, std::vector<Motion>& motions) {
+  for (std::size_t i = 0; i < pins_.size(); ++i) give(pins_[i], share * sources_[i].warm, motions);
 }
 
 inline Vec2 JointPins::parting_speed(const Pin& pin, const std::vector<Motion>& motions) {
@@ -82,11 +85,6 @@ inline Vec2 JointPins::parting_speed(const Pin& pin, const std::vector<Motion>& 
 /// The impulse that changes the speed of the points by so much.
 inline Vec2 JointPins::impulse_for(const Pin& pin, Vec2 speed) {
   return {pin.mass_x * speed.x + pin.mass_xy * speed.y, pin.mass_xy * speed.x + pin.mass_y * speed.y};
-}
-
-inline void JointPins::give(Pin& pin, Vec2 impulse, std::vector<Motion>& motions) {
-  pin.given += impulse;
-  push(pin, impulse, motions);
 }
 
 /// Each pin waits for the one before it, so every operation counts: what springs do is left out where there are none.
@@ -104,20 +102,11 @@ void JointPins::sweep_back(std::vector<Motion>& motions) {
   }
 }
 
-void JointPins::book(const JointedBodies& scene) {
+void JointPins::keep() {
   for (std::size_t i = 0; i < pins_.size(); ++i) {
     Source& source = sources_[i];
-    const Vec2 impulse = pins_[i].given - std::exchange(source.booked, pins_[i].given);
-    scene.joints[source.joint].impulse += impulse;
-    source.total += impulse;
-  }
-}
-
-void JointPins::store(const JointedBodies& scene) const {
-  for (std::size_t i = 0; i < pins_.size(); ++i) {
-    auto& memory = scene.joints[sources_[i].joint].memory;
-    memory[sources_[i].slot].impulse = pins_[i].given.x;
-    memory[sources_[i].slot + 1].impulse = pins_[i].given.y;
+    source.warm = pins_[i].given;
+    source.total += pins_[i].given - std::exchange(source.kept, pins_[i].given);
   }
 }
 
@@ -125,7 +114,12 @@ double JointPins::take_work(const JointedBodies& scene) {
   double work = 0;
   for (std::size_t i = 0; i < pins_.size(); ++i) {
     const Pin& pin = pins_[i];
+    const Source& source = sources_[i];
     const Vec2 impulse = std::exchange(sources_[i].total, Vec2{});
+    Joint& joint = scene.joints[source.joint];
+    joint.impulse += impulse;
+    joint.memory[source.slot].impulse = source.warm.x;
+    joint.memory[source.slot + 1].impulse = source.warm.y;
     const Term along_x{pin.body_a, pin.body_b, {1, 0}, -pin.arm_a.y, -pin.arm_b.y};
     const Term along_y{pin.body_a, pin.body_b, {0, 1}, pin.arm_a.x, pin.arm_b.x};
     work += work_of_movers({{along_x, {}}, 1}, impulse.x, scene) + work_of_movers({{along_y, {}}, 1}, impulse.y, scene);

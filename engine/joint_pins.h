@@ -20,22 +20,22 @@ class JointPins {
   /// `slot` is the place of the first of the pin's two rows in the joint's memory.
   void add(std::uint32_t joint, std::uint32_t slot, const std::vector<Joint>& joints);
   std::size_t size() const { return pins_.size(); }
-  /// Looks where the anchors are. Call at the start of every tick, and then `linearize`.
+  /// Looks where the anchors are, and takes up the joints' impulses. Call at the start of every tick, and then
+  /// `linearize`.
   void begin_tick(const JointedBodies& scene);
   void linearize(const JointedBodies& scene);
-  /// Takes up the impulses of the substep before.
-  void begin_substep(const JointedBodies& scene);
-  /// Applies this share of them.
-  void add_share(const JointedBodies& scene, real share);
+  /// Starts a substep with this share of the impulses of the one before.
+  void begin_substep(real share, std::vector<Motion>& motions);
+  /// Gives as much again.
+  void add_share(real share, std::vector<Motion>& motions);
   /// One sweep from the first pin to the last, with the give of springs that close the gaps.
   void sweep_softly(Softness spring, std::vector<Motion>& motions);
   /// One sweep back, rigid.
   void sweep_back(std::vector<Motion>& motions);
-  /// Tells the joints what has been given since the last time, before directions change.
-  void book(const JointedBodies& scene);
-  /// Hands the impulses back to the joints.
-  void store(const JointedBodies& scene) const;
-  /// What moving kinematic bodies have put in since the last call, J.
+  /// Keeps the impulses for the next substep. Call after every sweep back.
+  void keep();
+  /// Hands the impulses back to the joints, which lie far apart: so this is done once a tick only. Comes back with what
+  /// moving kinematic bodies have put in since the last call, J.
   double take_work(const JointedBodies& scene);
 
  private:
@@ -56,7 +56,7 @@ class JointPins {
     std::uint32_t slot = 0;
     Anchors anchors;  ///< in this tick
     Vec2 warm;        ///< impulse of the substep before
-    Vec2 booked;      ///< the part of the impulse that the joint knows of
+    Vec2 kept;        ///< the part of this substep's impulse that is in both
     Vec2 total;       ///< impulse since work was last taken
   };
 

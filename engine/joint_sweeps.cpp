@@ -102,7 +102,6 @@ void JointSweeps::apply(std::size_t i, real impulse, const JointedBodies& scene)
 
 /// What has been given since the last time, before directions change.
 void JointSweeps::book(const JointedBodies& scene) {
-  pins_.book(scene);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Source& source = sources_[i];
     const real impulse = rows_[i].given - std::exchange(source.booked, rows_[i].given);
@@ -112,17 +111,21 @@ void JointSweeps::book(const JointedBodies& scene) {
 }
 
 void JointSweeps::begin_substep(const JointedBodies& scene, real share) {
-  pins_.begin_substep(scene);
+  pins_.begin_substep(share, scene.motions);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     sources_[i].warm = scene.joints[sources_[i].joint].memory[sources_[i].slot].impulse;
     sources_[i].booked = 0;
     rows_[i].given = 0;
   }
-  add_share(scene, share);
+  give_share(scene, share);
 }
 
 void JointSweeps::add_share(const JointedBodies& scene, real share) {
-  pins_.add_share(scene, share);
+  pins_.add_share(share, scene.motions);
+  give_share(scene, share);
+}
+
+void JointSweeps::give_share(const JointedBodies& scene, real share) {
   for (std::size_t i = 0; i < rows_.size(); ++i) apply(i, share * sources_[i].warm, scene);
 }
 
@@ -178,7 +181,7 @@ void JointSweeps::solve_velocities(const JointedBodies& scene, real h) {
     pins_.sweep_back(scene.motions);
   }
   book(scene);
-  pins_.store(scene);
+  pins_.keep();
   for (std::size_t i = 0; i < rows_.size(); ++i)
     scene.joints[sources_[i].joint].memory[sources_[i].slot].impulse = rows_[i].given;
 }

@@ -42,7 +42,8 @@ class JointSweeps {
   void solve_positions(const JointedBodies& scene, real h);
   /// Sweeps for the velocities alone.
   void solve_velocities(const JointedBodies& scene, real h);
-  /// What motors and moving kinematic bodies have put in since the last call, J.
+  /// What motors and moving kinematic bodies have put in since the last call, J. Joints of nets get to know their
+  /// impulses by this: call at the end of every tick.
   double take_work(const JointedBodies& scene);
 
  private:
@@ -70,6 +71,7 @@ class JointSweeps {
   static void solve_plain(Row& row, const Softness& soft, std::vector<Motion>& motions);
   void solve_bounded(std::size_t i, const Softness& soft, const JointedBodies& scene, real h);
   void apply(std::size_t i, real impulse, const JointedBodies& scene);
+  void give_share(const JointedBodies& scene, real share);
   void book(const JointedBodies& scene);
 
   SweepPlan plan_;
