@@ -108,10 +108,11 @@ class Setter {
   Canvas& canvas_;
 };
 
-/// What must not be broken, and whether a space comes before it.
+/// What must not be broken, whether a space comes before it, and whether that space is within a formula.
 struct Word {
   TypesetLine line;
   bool after_space = false;
+  bool within_formula = false;
 };
 
 bool is_space(const FormulaAtom& atom) { return atom.kind == FormulaAtom::Kind::text && atom.text == " "; }
@@ -135,6 +136,7 @@ class WordList {
   }
 
   void add_formula(const Atoms& atoms) {
+    const std::size_t first = words_.size();
     Atoms piece;
     for (const FormulaAtom& atom : atoms) {
       if (!is_space(atom)) {
@@ -146,6 +148,7 @@ class WordList {
       space_ = true;
     }
     add(setter_.formula(piece, size_px_), piece.empty());
+    for (std::size_t i = first + 1; i < words_.size(); ++i) words_[i].within_formula = true;
   }
 
   const std::vector<Word>& words() const { return words_; }
@@ -153,7 +156,7 @@ class WordList {
  private:
   void add(TypesetLine line, bool empty) {
     if (empty) return;
-    words_.push_back({std::move(line), space_});
+    words_.push_back({std::move(line), space_, false});
     space_ = false;
   }
 
@@ -164,24 +167,47 @@ class WordList {
 };
 
 /// Words that hang together without a space are moved to the next line together.
-std::vector<TypesetLine> in_lines(const std::vector<Word>& words, double space, double width) {
-  std::vector<TypesetLine> lines(1);
-  for (std::size_t i = 0; i < words.size();) {
-    TypesetLine unit = words[i].line;
-    const bool spaced = words[i].after_space;
-    for (++i; i < words.size() && !words[i].after_space; ++i) {
-      append(unit, words[i].line, {unit.width, 0});
-      unit.width += words[i].line.width;
+std::vector<Word> joined(const std::vector<Word>& words) {
+  std::vector<Word> units;
+  for (const Word& word : words) {
+    if (units.empty() || word.after_space) {
+      units.push_back(word);
+      continue;
     }
+    TypesetLine& unit = units.back().line;
+    append(unit, word.line, {unit.width, 0});
+    unit.width += word.line.width;
+  }
+  return units;
+}
+
+/// How wide the formula is that `units[first]` begins with, to its end.
+double width_from(const std::vector<Word>& units, std::size_t first, double space) {
+  double width = units[first].line.width;
+  for (std::size_t i = first + 1; i < units.size() && units[i].within_formula; ++i)
+    width += space + units[i].line.width;
+  return width;
+}
+
+/// Lines of at most `width`, if what hangs together allows that. A formula does, too, unless it is wider than `widest`.
+std::vector<TypesetLine> in_lines(const std::vector<Word>& words, double space, double width, double widest) {
+  std::vector<TypesetLine> lines(1);
+  bool whole = false;  // the formula we are in
+  const std::vector<Word> units = joined(words);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const Word& unit = units[i];
+    const double wide = width_from(units, i, space);
+    if (!unit.within_formula) whole = wide <= widest;
     TypesetLine* line = &lines.back();
-    const double before = spaced && line->width > 0 ? space : 0;
-    if (line->width > 0 && line->width + before + unit.width > width) {
+    const double before = unit.after_space && line->width > 0 ? space : 0;
+    const bool may_break = line->width > 0 && !(unit.within_formula && whole);
+    if (may_break && line->width + before + (whole ? wide : unit.line.width) > width) {
       line = &lines.emplace_back();
     } else {
       line->width += before;
     }
-    append(*line, unit, {std::round(line->width), 0});
-    line->width += unit.width;
+    append(*line, unit.line, {std::round(line->width), 0});
+    line->width += unit.line.width;
   }
   return lines;
 }
@@ -205,9 +231,8 @@ double extra_above(const TypesetLine& line, const TypesetLine* before, int size_
   return std::round(std::max(0.0, needed - usual));
 }
 
-}  // namespace
-
-std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size_px, double width) {
+/// Lines of at most `width`; formulas are broken where they are wider than `widest`.
+std::vector<TypesetLine> set_in(Canvas& canvas, std::string_view text, int size_px, double width, double widest) {
   const auto parsed = parse_formulas(text);
   const auto* parts = std::get_if<std::vector<TextPart>>(&parsed);
   if (parts == nullptr) return plain(canvas, text, size_px, width);
@@ -221,13 +246,19 @@ std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size
       words.add_words(part.words);
     }
   }
-  return in_lines(words.words(), canvas.text_width(" ", size_px), width);
+  return in_lines(words.words(), canvas.text_width(" ", size_px), width, widest);
+}
+
+}  // namespace
+
+std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size_px, double width) {
+  return set_in(canvas, text, size_px, width, width);
 }
 
 std::vector<TypesetLine> balanced(Canvas& canvas, std::string_view text, int size_px, double width) {
   std::vector<TypesetLine> best = typeset(canvas, text, size_px, width);
   for (double narrower = 0.95 * width; best.size() > 1 && narrower > 0.5 * width; narrower -= 0.05 * width) {
-    std::vector<TypesetLine> lines = typeset(canvas, text, size_px, narrower);
+    std::vector<TypesetLine> lines = set_in(canvas, text, size_px, narrower, width);
     if (lines.size() > best.size()) break;
     best = std::move(lines);
   }

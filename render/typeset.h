@@ -31,8 +31,8 @@ struct TypesetLine {
   double descent = 0;  ///< below it; of nothing but letters: 0
 };
 
-/// Breaks where words end and a line would become wider than `width`; formulas break at their spaces. A text that
-/// cannot be read as formulas is set as it is.
+/// Breaks where words end and a line would become wider than `width`; formulas that are wider than that break at their
+/// spaces. A text that cannot be read as formulas is set as it is.
 std::vector<TypesetLine> typeset(Canvas& canvas, std::string_view text, int size_px, double width);
 
 /// The same in as few lines as that takes, all about equally long: no word stands alone.

@@ -119,6 +119,28 @@ TEST_CASE("Lines with formulas break at spaces and keep what hangs together") {
   }
 }
 
+TEST_CASE("A formula is broken only where it is wider than a line") {
+  const auto ends_of = [](const char* text, double width) {
+    std::string ends;
+    for (const TypesetLine& line : typeset(canvas(), text, 20, width)) ends += line.texts.back().text + "/";
+    return ends;
+  };
+  const double formula = typeset_line(canvas(), "$a = b + c$", 20).width;
+  const double begun = typeset_line(canvas(), "words and $a = b$", 20).width;
+  REQUIRE(begun > formula);
+  CHECK(ends_of("words and $a = b + c$", begun) == "and/c/");
+  CHECK(ends_of("$a = b + c$", 0.5 * formula) != "c/");
+}
+
+TEST_CASE("Lines are balanced without breaking formulas that fit") {
+  const char* text = "these are some words, $a + b + c + d = e$";
+  const double width = 0.99 * typeset_line(canvas(), text, 20).width;
+  const auto lines = balanced(canvas(), text, 20, width);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].texts.back().text == "words,");
+  for (const TypesetLine& line : lines) CHECK(line.width <= width);
+}
+
 TEST_CASE("Every caption of the lecture films fits its band in two lines") {
   for (const std::string& path : lecture_scenarios()) {
     const auto scenario = load_scenario(path, {});
