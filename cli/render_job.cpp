@@ -98,6 +98,7 @@ class Watched {
 };
 
 void refuse_film_settings(const RenderOptions& options, const std::string& what) {
+  quality_of(options);  // nothing asks for it here, but its name has to be one
   if (options.preset || options.crf) throw UsageError("--preset and --crf are for films, which " + what + " is not.");
 }
 

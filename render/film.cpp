@@ -103,7 +103,6 @@ class FilmPipeline {
   bool take_picture(Canvas& canvas, Image& image) {
     std::optional<Moment> moment = moments_.pop();
     if (!moment) return false;
-    require_room(canvas, moment->frame.captions);
     if (moment->closes) {
       draw_frame(canvas, moment->frame, style_, image);
       return true;

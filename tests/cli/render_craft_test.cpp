@@ -174,5 +174,16 @@ TEST_CASE("Only PNG pictures are numbered", "[cli]") {
   }
 }
 
+TEST_CASE("A quality that there is none of is refused for every output", "[cli]") {
+  const FilmCollection c;
+  for (const char* out : {"a.svg", "a.srt", "a.png", "a.mp4"}) {
+    const Outcome o = c.run({"render", "ball", "-o", out, "--quality", "silly"});
+    INFO(out);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Contains("There is no quality \"silly\"; there are draft, final and lossless."));
+    CHECK_FALSE(fs::exists(c / out));
+  }
+}
+
 }  // namespace
 }  // namespace proofreel
