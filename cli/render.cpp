@@ -72,7 +72,7 @@ int render(const RenderOptions& options) {
   job.range = range_of(options, static_cast<std::int64_t>(job.request.timeline.size()));
   job.request.frames = job.range.frames();
   job.sections = film_sections(*scenario, job.request.timeline);
-  check_number(options.out);
+  refuse_numbers(options.out);
   note_interrupts();
   if (!options.contact_sheet.empty()) {
     render_contact_sheet(job);

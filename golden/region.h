@@ -8,15 +8,6 @@
 
 namespace proofreel {
 
-/// Pixels of a picture, from its top left corner.
-struct PixelRect {
-  int x_px = 0;
-  int y_px = 0;
-  int width_px = 0;
-  int height_px = 0;
-  friend bool operator==(const PixelRect&, const PixelRect&) = default;
-};
-
 /// Which pixels are compared: all, but for what is ignored.
 class Region {
  public:

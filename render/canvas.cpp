@@ -102,7 +102,7 @@ struct Canvas::Impl {
   DrawMode mode = DrawMode::colors;
   std::uint32_t owner = 0;
 
-  PixelArea area;
+  PixelRect area;
   Vec2d origin;  ///< of the area: what is asked for counts from it
 
   /// Draws through the context, or without one writes down.
@@ -134,20 +134,20 @@ struct Canvas::Impl {
     owner = 0;
   }
 
-  PixelArea whole() const { return {0, 0, width_px, height_px}; }
+  PixelRect whole() const { return {0, 0, width_px, height_px}; }
 
-  void enter(const PixelArea& part) {
+  void enter(const PixelRect& part) {
     area = part;
-    origin = {static_cast<double>(part.left), static_cast<double>(part.top)};
+    origin = {static_cast<double>(part.x_px), static_cast<double>(part.y_px)};
   }
 
   /// What can be seen, with the pixels a soft edge reaches over.
   Aabbd picture(double margin) const {
-    const Vec2d size{static_cast<double>(area.width), static_cast<double>(area.height)};
+    const Vec2d size{static_cast<double>(area.width_px), static_cast<double>(area.height_px)};
     return expanded(Aabbd{origin, origin + size}, margin);
   }
 
-  bool is_whole() const { return area.width == width_px && area.height == height_px; }
+  bool is_whole() const { return area.width_px == width_px && area.height_px == height_px; }
 
   /// What to rasterise for a shape inside `quad`: the quad, or what of its bounds is in the picture when that is less.
   /// False when nothing of it can be seen.
@@ -347,11 +347,11 @@ Canvas::Canvas(int width_px, int height_px) : impl_(std::make_unique<Impl>(nullp
 
 Canvas::~Canvas() = default;
 
-int Canvas::width_px() const { return impl_->area.width; }
+int Canvas::width_px() const { return impl_->area.width_px; }
 
-int Canvas::height_px() const { return impl_->area.height; }
+int Canvas::height_px() const { return impl_->area.height_px; }
 
-void Canvas::enter(const PixelArea& area) {
+void Canvas::enter(const PixelRect& area) {
   impl_->enter(area);
   if (SvgWriter* svg = impl_->svg()) svg->enter(area);
 }

@@ -44,7 +44,7 @@ class Canvas {
 
   /// From now on only this part of the picture is drawn on, as if it were all: coordinates count from its top left
   /// corner. Areas do not nest; `clear` and `leave` end them.
-  void enter(const PixelArea& area);
+  void enter(const PixelRect& area);
   void leave();
 
   void clear(Color background);

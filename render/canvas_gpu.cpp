@@ -168,7 +168,7 @@ void CanvasGpu::upload(FontAtlas& atlas) {
 }
 
 void CanvasGpu::draw_pass(const Pass& pass, const Request& request) {
-  gl_.Scissor(pass.area.left, pass.area.top, pass.area.width, pass.area.height);
+  gl_.Scissor(pass.area.x_px, pass.area.y_px, pass.area.width_px, pass.area.height_px);
   gl_.ClearColor(part(request.ground.r), part(request.ground.g), part(request.ground.b), part(request.ground.a));
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   if (request.background != nullptr) put(*request.background);
@@ -180,9 +180,9 @@ void CanvasGpu::read(std::span<const TileSpan> parts, Image& image) {
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.PixelStorei(GL_PACK_ROW_LENGTH, width_px_);
   for (const TileSpan& part : parts) {
-    const PixelArea area = grid_.pixels_of(part);
-    gl_.ReadPixels(area.left, area.top, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                   image.row(area.top) + 4 * area.left);
+    const PixelRect area = grid_.pixels_of(part);
+    gl_.ReadPixels(area.x_px, area.y_px, area.width_px, area.height_px, GL_RGBA, GL_UNSIGNED_BYTE,
+                   image.row(area.y_px) + 4 * area.x_px);
   }
 }
 

@@ -43,7 +43,7 @@ class CanvasGpu {
   };
   /// What of the marks touches a part of the picture.
   struct Pass {
-    PixelArea area;
+    PixelRect area;
     std::vector<Call> calls;
   };
 

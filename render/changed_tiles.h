@@ -43,7 +43,7 @@ class ChangedTiles {
   std::uint64_t number_ = 0;
   std::vector<std::uint64_t> hashes_;    // by tile
   std::vector<std::uint64_t> drawn_in_;  // by tile, the last number that it was drawn in
-  std::vector<PixelArea> changes_;
+  std::vector<PixelRect> changes_;
 };
 
 }  // namespace proofreel

@@ -55,15 +55,15 @@ Aabbd cell_of(const Stage& stage, const Aabbd& room, const Grid& grid, int index
   return {low, low + Vec2d{width, height}};
 }
 
-PixelArea below_title(const Stage& stage, const Aabbd& cell) {
+PixelRect below_title(const Stage& stage, const Aabbd& cell) {
   const double top = cell.lower.y + title_height(stage);
   return {static_cast<int>(cell.lower.x), static_cast<int>(top), static_cast<int>(cell.upper.x - cell.lower.x),
           std::max(1, static_cast<int>(cell.upper.y - top))};
 }
 
 /// Letters do not shrink as fast as the panes do.
-Sizes sizes_in(const Stage& stage, const PixelArea& area) {
-  const int height = std::max(area.height, static_cast<int>(0.6 * stage.canvas.height_px()));
+Sizes sizes_in(const Stage& stage, const PixelRect& area) {
+  const int height = std::max(area.height_px, static_cast<int>(0.6 * stage.canvas.height_px()));
   return sizes_of(2 * height, height);
 }
 
@@ -71,7 +71,7 @@ Sizes sizes_in(const Stage& stage, const PixelArea& area) {
 struct SplitPane {
   const Frame& frame;
   Aabbd cell;      ///< its title included; px
-  PixelArea area;  ///< of its scene
+  PixelRect area;  ///< of its scene
   std::uint32_t first_body = 0;
 };
 
@@ -95,7 +95,7 @@ Stage stage_in(const Stage& whole, const SplitPane& pane) {
   return {whole.canvas,
           pane.frame,
           whole.palette,
-          Camera(view, pane.area.width, pane.area.height),
+          Camera(view, pane.area.width_px, pane.area.height_px),
           sizes_in(whole, pane.area),
           {},
           whole.marks,
@@ -111,9 +111,9 @@ void draw_title(const Stage& stage, const SplitPane& pane) {
                     Align::left, stage.palette.ink);
 }
 
-void draw_edge(const Stage& stage, const PixelArea& area) {
-  const Vec2d low{area.left - 1.0, area.top - 1.0};
-  stage.canvas.rectangle(low, low + Vec2d{area.width + 2.0, area.height + 2.0}, 0,
+void draw_edge(const Stage& stage, const PixelRect& area) {
+  const Vec2d low{area.x_px - 1.0, area.y_px - 1.0};
+  stage.canvas.rectangle(low, low + Vec2d{area.width_px + 2.0, area.height_px + 2.0}, 0,
                          {Color{0, 0, 0, 0}, stage.palette.plate_edge, 1});
 }
 

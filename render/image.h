@@ -9,12 +9,13 @@
 
 namespace proofreel {
 
-/// A part of a picture, in whole pixels.
-struct PixelArea {
-  int left = 0;
-  int top = 0;
-  int width = 0;
-  int height = 0;
+/// Pixels of a picture, from its top left corner.
+struct PixelRect {
+  int x_px = 0;
+  int y_px = 0;
+  int width_px = 0;
+  int height_px = 0;
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
 /// Pictures that are drawn one upon another in one place differ in few parts; who knows the one before need look at
@@ -22,7 +23,7 @@ struct PixelArea {
 struct Edition {
   std::uint64_t series = 0;             ///< the program has no other with this number
   std::uint64_t number = 0;             ///< counted from 1; 0: of nothing that is known
-  std::vector<PixelArea> changes = {};  ///< where it may differ from the number before
+  std::vector<PixelRect> changes = {};  ///< where it may differ from the number before
 
   bool same_as(const Edition& other) const { return number != 0 && series == other.series && number == other.number; }
   bool follows(const Edition& other) const {

@@ -43,16 +43,16 @@ void convert_to_yuv420(const Image& image, const Yuv420& out) {
   convert_to_yuv420(image, {0, 0, image.width_px, image.height_px}, out);
 }
 
-void convert_to_yuv420(const Image& image, const PixelArea& area, const Yuv420& out) {
-  assert(area.left % 2 == 0 && area.top % 2 == 0 && area.width % 2 == 0 && area.height % 2 == 0);
-  for (int row = area.top; row < area.top + area.height; row += 2) {
-    const std::uint8_t* upper = image.row(row) + 4 * area.left;
+void convert_to_yuv420(const Image& image, const PixelRect& area, const Yuv420& out) {
+  assert(area.x_px % 2 == 0 && area.y_px % 2 == 0 && area.width_px % 2 == 0 && area.height_px % 2 == 0);
+  for (int row = area.y_px; row < area.y_px + area.height_px; row += 2) {
+    const std::uint8_t* upper = image.row(row) + 4 * area.x_px;
     const std::uint8_t* lower = upper + image.row_bytes();
-    std::uint8_t* y = out.y + static_cast<std::ptrdiff_t>(row) * out.y_stride + area.left;
-    const std::ptrdiff_t color = static_cast<std::ptrdiff_t>(row / 2) * out.uv_stride + area.left / 2;
-    convert_luma_row(upper, y, area.width);
-    convert_luma_row(lower, y + out.y_stride, area.width);
-    convert_color_row(upper, lower, out.u + color, out.v + color, area.width / 2);
+    std::uint8_t* y = out.y + static_cast<std::ptrdiff_t>(row) * out.y_stride + area.x_px;
+    const std::ptrdiff_t color = static_cast<std::ptrdiff_t>(row / 2) * out.uv_stride + area.x_px / 2;
+    convert_luma_row(upper, y, area.width_px);
+    convert_luma_row(lower, y + out.y_stride, area.width_px);
+    convert_color_row(upper, lower, out.u + color, out.v + color, area.width_px / 2);
   }
 }
 

@@ -22,6 +22,6 @@ struct Yuv420 {
 /// must be even. Within 1 of libswscale's accurate conversion, at a fifth of its time.
 void convert_to_yuv420(const Image& image, const Yuv420& out);
 /// Only this part of the picture, whose edges must be even, too.
-void convert_to_yuv420(const Image& image, const PixelArea& area, const Yuv420& out);
+void convert_to_yuv420(const Image& image, const PixelRect& area, const Yuv420& out);
 
 }  // namespace proofreel

@@ -145,7 +145,7 @@ std::optional<Quality> quality_named(std::string_view name) {
 
 std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
-void check_number(const std::string& out) {
+void refuse_numbers(const std::string& out) {
   if (has_number(out) && ending_of(out) != ".png")
     throw UsageError("Only PNG pictures are numbered: NAME%04d.png, not " + out + ".");
 }
@@ -156,7 +156,7 @@ std::unique_ptr<Sink> make_sink(const std::string& out, const FilmSettings& sett
   check_size(settings.size);
   const std::string ending = ending_of(out);
   const bool numbered = has_number(out);
-  check_number(out);
+  refuse_numbers(out);
   if (is_film_ending(ending)) return make_video_sink(out, settings);
   if (out != "-" && ending != ".png" && ending != ".hash") refuse_ending(out);
   check_no_film_settings(out, settings);

@@ -55,8 +55,8 @@ std::string ending_of(const std::string& path);
 
 /// True when `out` holds one picture rather than a film: NAME.png without a number in it.
 bool is_single_picture(const std::string& out);
-/// Throws UsageError for a frame number (%d) in a name that is not of PNG pictures.
-void check_number(const std::string& out);
+/// Throws UsageError where a name that is not of PNG pictures has a place for frame numbers (%d).
+void refuse_numbers(const std::string& out);
 
 /// The sink `out` asks for: NAME.png keeps the last picture it is given, NAME%04d.png writes one file per picture
 /// (numbered by film frame), .mp4, .webm, .gif, .apng, .mov and .mkv are films, .hash is one line of frame number and

@@ -160,12 +160,12 @@ void SvgWriter::text(const Font& font, std::string_view utf8, Vec2d left, int si
   if (!path.empty()) body_ += element("path", attribute("d", path.append("Z")) + fill(color));
 }
 
-void SvgWriter::enter(const PixelArea& area) {
+void SvgWriter::enter(const PixelRect& area) {
   leave();
-  const std::string size = attribute("width", area.width) + attribute("height", area.height);
+  const std::string size = attribute("width", area.width_px) + attribute("height", area.height_px);
   const std::string clip = new_clip(element("rect", size));
   const std::string shift = std::string("translate(")
-                                .append(pair({static_cast<double>(area.left), static_cast<double>(area.top)}))
+                                .append(pair({static_cast<double>(area.x_px), static_cast<double>(area.y_px)}))
                                 .append(")");
   body_.append("<g").append(attribute("transform", shift)).append("><g").append(clip).append(">\n");
   inside_area_ = true;

@@ -28,7 +28,7 @@ class SvgWriter {
   /// `left` is where the baseline begins.
   void text(const Font& font, std::string_view utf8, Vec2d left, int size_px, Color color);
   /// Marks from here on are cut at this area's edges and counted from its corner, until `leave`.
-  void enter(const PixelArea& area);
+  void enter(const PixelRect& area);
   void leave();
 
   /// The whole document.

@@ -53,7 +53,7 @@ class TileGrid {
             at(bounds.upper.y, rows_) + 1};
   }
 
-  PixelArea pixels_of(const TileSpan& span) const {
+  PixelRect pixels_of(const TileSpan& span) const {
     const int left = span.left * tile_px, top = span.top * tile_px;
     return {left, top, std::min(span.right * tile_px, width_px_) - left,
             std::min(span.bottom * tile_px, height_px_) - top};

@@ -93,7 +93,7 @@ void Encoder::convert(const Image& image) {
     return convert_by_swscale(image, out, scaler_);
   const Yuv420 planes{out.data[0], out.data[1], out.data[2], out.linesize[0], out.linesize[1]};
   if (converted_.follows(before)) {
-    for (const PixelArea& change : converted_.changes) convert_to_yuv420(image, change, planes);
+    for (const PixelRect& change : converted_.changes) convert_to_yuv420(image, change, planes);
   } else {
     convert_to_yuv420(image, planes);
   }

@@ -81,13 +81,15 @@ int label(lua_State* state) {
 /// Of what the arrow is: a quantity of the body by its name, or a vector that is given.
 void read_quantity(const Fields& fields, VectorMark& mark) {
   if (!fields.push("of")) fields.missing("of");
-  const bool is_given = lua_type(fields.state(), -1) == LUA_TTABLE;
+  const int type = lua_type(fields.state(), -1);
   lua_pop(fields.state(), 1);
-  if (is_given) {
+  if (type == LUA_TTABLE) {
     mark.of = VectorOf::given;
     mark.value = fields.required("of", fields.vector("of", Range::place));
-  } else {
+  } else if (type == LUA_TSTRING) {
     mark.of = static_cast<VectorOf>(fields.required("of", fields.choice("of", vector_names)));
+  } else {
+    fields.refuse("of", "must be the name of a quantity, such as \"velocity\", or a vector {x, y}");
   }
 }
 

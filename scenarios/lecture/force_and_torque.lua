@@ -25,6 +25,7 @@ end)
 
 vector { body = through, of = {push, 0}, from = 0.5, to = 0.51 }
 vector { body = beside, of = {push, 0}, point = {0, arm}, from = 0.5, to = 0.51 }
+for _, b in ipairs { through, beside } do highlight { body = b, point = {0, 0}, radius = 0.09, from = 0.3, to = 0.7 } end
 
 section { at = 0, name = "At rest" }
 section { at = 0.5, name = "One push for both" }

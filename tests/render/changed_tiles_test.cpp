@@ -91,11 +91,7 @@ TEST_CASE("Two things far apart are two parts, two near each other one") {
 TEST_CASE("The last tiles of a picture end with it") {
   const TileGrid grid(33, 17);
   CHECK(grid.whole() == TileSpan{0, 3, 0, 2});
-  const PixelArea last = grid.pixels_of({2, 3, 1, 2});
-  CHECK(last.left == 32);
-  CHECK(last.top == 16);
-  CHECK(last.width == 1);
-  CHECK(last.height == 1);
+  CHECK(grid.pixels_of({2, 3, 1, 2}) == PixelRect{32, 16, 1, 1});
   CHECK(grid.span_of({{-50, -50}, {500, 3}}) == TileSpan{0, 3, 0, 1});
 }
 

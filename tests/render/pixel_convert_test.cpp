@@ -123,11 +123,11 @@ TEST_CASE("The primaries have the values BT.709 gives them", "[convert]") {
 TEST_CASE("A part of a picture is converted as in the whole, and nothing beside it is touched", "[convert]") {
   const Image before = noise_image(66, 34, 11, true), after = noise_image(66, 34, 12, true);
   const Planes whole = ours(after), old = ours(before);
-  for (const PixelArea& area : {PixelArea{0, 0, 66, 34}, {16, 2, 32, 16}, {64, 32, 2, 2}, {0, 10, 18, 24}}) {
+  for (const PixelRect& area : {PixelRect{0, 0, 66, 34}, {16, 2, 32, 16}, {64, 32, 2, 2}, {0, 10, 18, 24}}) {
     Planes planes = old;
     convert_to_yuv420(after, area, planes.view());
     const auto is_inside = [&area](int x, int y) {
-      return x >= area.left && x < area.left + area.width && y >= area.top && y < area.top + area.height;
+      return x >= area.x_px && x < area.x_px + area.width_px && y >= area.y_px && y < area.y_px + area.height_px;
     };
     int wrong = 0;
     for (int i = 0; i < 66 * 34; ++i) {

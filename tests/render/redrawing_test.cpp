@@ -213,6 +213,13 @@ void paint_disc(Canvas& canvas, double x, const std::string& text = "still") {
   canvas.text(text, {320, 80}, 24, Align::center, black);
 }
 
+/// That picture with the disc at 100, whole; its fingerprint comes back.
+std::uint64_t begin_with_disc(Canvas& canvas, Image& image) {
+  paint_disc(canvas, 100);
+  canvas.finish(image);
+  return fingerprint(image);
+}
+
 Calls calls_of(Canvas& canvas, Image& image) {
   WatchedContext::calls = {};
   canvas.finish(image);
@@ -292,8 +299,7 @@ TEST_CASE("When nothing has changed nothing is drawn, and nothing read by whom h
   WatchedContext watched;
   Canvas canvas(watched, 640, 480);
   Image image, other;
-  paint_disc(canvas, 100);
-  canvas.finish(image);
+  begin_with_disc(canvas, image);
   paint_disc(canvas, 100);
   const Calls again = calls_of(canvas, image);
   CHECK((again.clears == 0 && again.draws == 0 && again.read_px == 0));
@@ -307,9 +313,7 @@ TEST_CASE("When a disc moves, what is cleared and read is the tiles it has left 
   WatchedContext watched;
   Canvas canvas(watched, 640, 480);
   Image image;
-  paint_disc(canvas, 100);
-  canvas.finish(image);
-  const std::uint64_t before = fingerprint(image);
+  const std::uint64_t before = begin_with_disc(canvas, image);
   paint_disc(canvas, 104);
   const Calls calls = calls_of(canvas, image);
   constexpr std::int64_t most_px = (4 + 42 + 32) * (42 + 32);  // the disc's way, its soft edge, and tiles at both ends
@@ -353,8 +357,7 @@ TEST_CASE("After a picture that failed, whatever failed, the next one is drawn w
   WatchedContext watched;
   Canvas canvas(watched, 640, 480);
   Image image, expected;
-  paint_disc(canvas, 100);
-  canvas.finish(image);
+  begin_with_disc(canvas, image);
   paint_disc(canvas, 300, "other");
   watched.lost = loses_context;
   WatchedContext::out_of_memory = !loses_context;
@@ -374,9 +377,7 @@ TEST_CASE("An image that was written to in between is read whole") {
   WatchedContext watched;
   Canvas canvas(watched, 640, 480);
   Image image;
-  paint_disc(canvas, 100);
-  canvas.finish(image);
-  const std::uint64_t before = fingerprint(image);
+  const std::uint64_t before = begin_with_disc(canvas, image);
   image.rgba[5] = 3;
   paint_disc(canvas, 100);
   CHECK(calls_of(canvas, image).read_px == whole_px);

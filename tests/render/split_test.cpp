@@ -13,10 +13,10 @@ using namespace proofreel::painted;
 
 namespace {
 
-constexpr PixelArea area{101, 57, 320, 180};
+constexpr PixelRect area{101, 57, 320, 180};
 
 bool is_inside(int x, int y) {
-  return x >= area.left && x < area.left + area.width && y >= area.top && y < area.top + area.height;
+  return x >= area.x_px && x < area.x_px + area.width_px && y >= area.y_px && y < area.y_px + area.height_px;
 }
 
 /// A frame of so many panes, all of which show the same.
@@ -42,11 +42,11 @@ Image drawn(const Frame& frame, int width_px, int height_px) {
 TEST_CASE("What is drawn in an area is what a picture of its size holds, and nothing lies outside") {
   const Frame frame = sample_frame();
   const auto draw = [&frame](Canvas& canvas) { draw_layers(canvas, frame, {Theme::light}, nullptr); };
-  const Image alone = picture(area.width, area.height, draw);
+  const Image alone = picture(area.width_px, area.height_px, draw);
   const Image whole = picture(640, 360, [&](Canvas& canvas) {
     canvas.enter(area);
-    CHECK(canvas.width_px() == area.width);
-    CHECK(canvas.height_px() == area.height);
+    CHECK(canvas.width_px() == area.width_px);
+    CHECK(canvas.height_px() == area.height_px);
     draw(canvas);
     canvas.leave();
     CHECK(canvas.width_px() == 640);
@@ -60,7 +60,7 @@ TEST_CASE("What is drawn in an area is what a picture of its size holds, and not
         clean = clean && pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
         continue;
       }
-      const std::uint8_t* same = alone.row(y - area.top) + 4 * (x - area.left);
+      const std::uint8_t* same = alone.row(y - area.y_px) + 4 * (x - area.x_px);
       for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(pixel[c] - same[c]));
     }
   }

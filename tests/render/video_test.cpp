@@ -59,11 +59,11 @@ TEST_CASE("Every frame given to an MP4 can be decoded again, the last one too, e
 std::vector<Image> wanderings(bool knows_editions) {
   std::vector<Image> pictures;
   const Image noise = noise_image(64, 48, 3, true);
-  PixelArea last;
+  PixelRect last;
   for (int i = 0; i < 40; ++i) {
-    const PixelArea square{2 * (i % 24), 2 * (i * 7 % 16), 16, 16};
+    const PixelRect square{2 * (i % 24), 2 * (i * 7 % 16), 16, 16};
     Image image = noise;
-    for (int y = square.top; y < square.top + 16; ++y) std::fill_n(image.row(y) + 4 * square.left, 64, gray_of(i));
+    for (int y = square.y_px; y < square.y_px + 16; ++y) std::fill_n(image.row(y) + 4 * square.x_px, 64, gray_of(i));
     if (knows_editions) image.rgba.become({i < 30 ? 100U : 101U, static_cast<std::uint64_t>(i + 1), {last, square}});
     last = square;
     if (i % 7 == 5) continue;

@@ -75,7 +75,9 @@ TEST_CASE("A vector of what is neither a quantity nor a vector is refused") {
   CHECK_THAT(error_of(begin + "of='speed'}"), Contains("line 3") && Contains("velocity"));
   CHECK_THAT(error_of(begin + "of={1}}"), Contains("of must be a vector {x, y}"));
   CHECK_THAT(error_of(begin + "of={1, 0/0}}"), Contains("line 3") && Contains("of"));
-  CHECK_THAT(error_of(begin + "of=5}"), Contains("line 3") && Contains("of"));
+  CHECK_THAT(
+      error_of(begin + "of=5}"),
+      Contains("line 3") && Contains("of must be the name of a quantity, such as \"velocity\", or a vector {x, y}"));
   CHECK_THAT(error_of(begin + "of={1, 2}, from=2, to=2}"), Contains("to must come after from"));
 }
 
