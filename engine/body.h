@@ -18,18 +18,14 @@ inline namespace PROOFREEL_PRECISION {
 /// Position of a body in the arrays: its BodyId as a number. 0 is the immovable world.
 using BodyIndex = std::uint32_t;
 
-/// The moving part of a body. During a tick positions are kept as the way gone since the tick began: differences of
-/// these stay exact even where the coordinates themselves are large.
-/// The masses come in this order because compilers load `inv_mass` together with its neighbour: if that were `spin`,
-/// which the constraint before has just stored by itself, the load would have to wait for the memory.
-struct Motion {
+/// What impulses act on. The masses come in this order because compilers load `inv_mass` together with its neighbour:
+/// if that were `spin`, which the constraint before has just stored by itself, the load would have to wait for the
+/// memory.
+struct Mover {
   Vec2 velocity;  ///< of the centre of mass
   real spin = 0;  ///< rad/s
   real inv_inertia = 0;
   real inv_mass = 0;  ///< 1/kg; 0 for what nothing pushes
-  Vec2 delta;         ///< of the centre of mass, since the tick began
-  Rot rotation;
-  real angle = 0;  ///< of `rotation`, continuous
 
   Vec2 velocity_at(Vec2 arm) const { return velocity + cross(spin, arm); }
   /// `arm` is the point's position relative to the centre of mass, world axes.
@@ -37,6 +33,14 @@ struct Motion {
     velocity += inv_mass * impulse;
     spin += inv_inertia * cross(arm, impulse);
   }
+};
+
+/// The moving part of a body. During a tick positions are kept as the way gone since the tick began: differences of
+/// these stay exact even where the coordinates themselves are large.
+struct Motion : Mover {
+  Vec2 delta;  ///< of the centre of mass, since the tick began
+  Rot rotation;
+  real angle = 0;  ///< of `rotation`, continuous
 };
 
 struct Body {

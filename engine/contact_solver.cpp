@@ -45,18 +45,28 @@ ConstraintPoint make_point(const ContactConstraint& c, const ManifoldPoint& p, c
   return out;
 }
 
-void push_apart(Motion& a, Motion& b, const ConstraintPoint& p, Vec2 impulse) {
+void push_apart(Mover& a, Mover& b, const ConstraintPoint& p, Vec2 impulse) {
   a.push(-impulse, p.arm_a);
   b.push(impulse, p.arm_b);
 }
 
-Vec2 relative_velocity(const Motion& a, const Motion& b, const ConstraintPoint& p) {
+Vec2 relative_velocity(const Mover& a, const Mover& b, const ConstraintPoint& p) {
   return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
+}
+
+void look_at_gaps(ContactConstraint& c, const Motion& a, const Motion& b) {
+  for (int k = 0; k < c.count; ++k) c.points[k].separation = separation_of(c, c.points[k], a, b);
+}
+
+/// Sweeps work on copies, which stay in registers from row to row.
+void take_speeds(Motion& motion, const Mover& from) {
+  motion.velocity = from.velocity;
+  motion.spin = from.spin;
 }
 
 /// `wanted_slip` is how fast the surfaces should move along each other: not at all, unless they are belts.
 template <bool moving>
-[[gnu::always_inline]] inline void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b,
+[[gnu::always_inline]] inline void solve_friction(const ContactConstraint& c, ConstraintPoint& p, Mover& a, Mover& b,
                                                   real wanted_slip) {
   const Vec2 tangent = perp(c.normal);
   real slip = dot(relative_velocity(a, b, p), tangent);
@@ -221,9 +231,9 @@ void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
 
 // Left to itself the compiler stops inlining this when there are several kinds of sweep: 6 % more instructions.
 template <ContactSolver::Push push>
-[[gnu::always_inline]] inline void ContactSolver::solve_normal(const ContactConstraint& c, ConstraintPoint& p,
-                                                               Motion& a, Motion& b, real h) const {
-  const real separation = separation_of(c, p, a, b);
+[[gnu::always_inline]] inline void ContactSolver::solve_normal(const ContactConstraint& c, ConstraintPoint& p, Mover& a,
+                                                               Mover& b, real h) const {
+  const real separation = p.separation;
   real bias = 0;
   real mass_scale = 1;
   real impulse_scale = 0;
@@ -246,7 +256,7 @@ template <ContactSolver::Push push>
 }
 
 // Never inlined, so that it costs the same whether or not there are sweeps that are watched.
-template <ContactSolver::Push push, bool friction, bool moving, typename Observer>
+template <ContactSolver::Push push, ContactSolver::Look look, bool friction, bool moving, typename Observer>
 [[gnu::noinline]] void ContactSolver::sweep_all(std::vector<Motion>& motions, real h, Observer observer) {
   const std::size_t n = constraints_.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -255,26 +265,31 @@ template <ContactSolver::Push push, bool friction, bool moving, typename Observe
     const std::size_t at = push == Push::back ? every_other_first(n - 1 - i, n) : i;
     ContactConstraint& c = constraints_[at];
     if (c.exact) continue;
-    Motion& a = motions[c.body_a];
-    Motion& b = motions[c.body_b];
+    Motion& motion_a = motions[c.body_a];
+    Motion& motion_b = motions[c.body_b];
+    if constexpr (look == Look::anew) look_at_gaps(c, motion_a, motion_b);
+    Mover a = motion_a;
+    Mover b = motion_b;
     for (int k = 0; k < c.count; ++k) solve_normal<push>(c, c.points[k], a, b, h);
     if constexpr (friction) {
       real wanted_slip = 0;
       if constexpr (moving) wanted_slip = surface_speeds_[at];
       for (int k = 0; k < c.count; ++k) solve_friction<moving>(c, c.points[k], a, b, wanted_slip);
     }
+    take_speeds(motion_a, a);
+    take_speeds(motion_b, b);
     if constexpr (Observer::watches) observer([&] { return swept_event(c); });
   }
 }
 
-template <ContactSolver::Push push, typename Observer>
+template <ContactSolver::Push push, ContactSolver::Look look, typename Observer>
 void ContactSolver::sweep(std::vector<Motion>& motions, real h, Observer observer) {
   if (!parts_.friction) {
-    sweep_all<push, false, false>(motions, h, observer);
+    sweep_all<push, look, false, false>(motions, h, observer);
   } else if (parts_.surface_speed) {
-    sweep_all<push, true, true>(motions, h, observer);
+    sweep_all<push, look, true, true>(motions, h, observer);
   } else {
-    sweep_all<push, true, false>(motions, h, observer);
+    sweep_all<push, look, true, false>(motions, h, observer);
   }
   rolling_.sweep(constraints_, motions);
   count_swept_rows(parts_.friction ? 2 : 1);
@@ -288,18 +303,24 @@ void ContactSolver::count_swept_rows(int at_point) const {
   count_row_updates(static_cast<std::size_t>(rows));
 }
 
-template void ContactSolver::sweep<ContactSolver::Push::back>(std::vector<Motion>&, real, NoObserver);
+void ContactSolver::relax(std::vector<Motion>& motions, real h) {
+  sweep<Push::back, Look::anew>(motions, h);
+  if (is_soft(method_)) sweep<Push::back, Look::known>(motions, h);
+}
 
+/// Springs this stiff need two sweeps; and were there fewer to take the push out again than there are to push, a large
+/// pile would gain energy.
 template <typename Observer>
 void ContactSolver::solve(std::vector<Motion>& motions, real h, Observer observer) {
   switch (method_) {
     case ContactMethod::automatic:
     case ContactMethod::soft_step:
-      return sweep<Push::softly>(motions, h, observer);
+      sweep<Push::softly, Look::anew>(motions, h, observer);
+      return sweep<Push::softly, Look::known>(motions, h, observer);
     case ContactMethod::sequential_impulses:
-      return sweep<Push::at_once>(motions, h, observer);
+      return sweep<Push::at_once, Look::anew>(motions, h, observer);
     case ContactMethod::ngs:
-      return sweep<Push::never>(motions, h, observer);
+      return sweep<Push::never, Look::anew>(motions, h, observer);
     case ContactMethod::exact:  // solves them otherwise (exact_contacts.h)
     case ContactMethod::event:
       return;

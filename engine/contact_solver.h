@@ -37,6 +37,7 @@ struct ConstraintPoint {
   real base_separation = 0;  ///< separation less the part that the moving arms account for
   real normal_mass = 0;      ///< effective mass along the normal
   real tangent_mass = 0;
+  real separation = 0;      ///< m, as the last sweep has found it that looked
   real normal_impulse = 0;  ///< of this substep so far
   real tangent_impulse = 0;
   real warm_normal = 0;  ///< of the substep before: where this one starts from
@@ -100,12 +101,12 @@ class ContactSolver {
   void begin_substep(std::vector<Motion>& motions, real share);
   /// Adds the other share before the relaxing sweep.
   void add_share(std::vector<Motion>& motions, real share);
-  /// One sweep that stops approach and, as far as the method does it by velocity, drives out overlap. The observer sees
-  /// ContactSwept.
+  /// A sweep that stops approach and, as far as the method does it by velocity, drives out overlap; soft contacts are
+  /// swept twice. The observer sees ContactSwept.
   template <typename Observer = NoObserver>
   void solve(std::vector<Motion>& motions, real h, Observer observer = {});
-  /// One sweep that only stops approach.
-  void relax(std::vector<Motion>& motions, real h) { sweep<Push::back>(motions, h); }
+  /// As many sweeps that only stop approach.
+  void relax(std::vector<Motion>& motions, real h);
   /// One sweep over the positions that takes out a part of the overlap.
   void push_out(std::vector<Motion>& motions) const;
   /// Whether some bodies are still inside each other since they met. The push that drives them out would add up from
@@ -138,16 +139,18 @@ class ContactSolver {
   /// How a sweep treats overlap: it is driven out by a spring, or a part of it at once, or not by this sweep; or the
   /// sweep takes back what another one has pushed too much.
   enum class Push : std::uint8_t { softly, at_once, never, back };
+  /// Whether a sweep looks how far points are apart, or is told by the one before it: velocities move no body.
+  enum class Look : std::uint8_t { anew, known };
 
-  template <Push push, typename Observer = NoObserver>
+  template <Push push, Look look, typename Observer = NoObserver>
   void sweep(std::vector<Motion>& motions, real h, Observer observer = {});
   void count_swept_rows(int at_point) const;
   ContactConstraint constraint_of(std::uint32_t index, const Contact& contact, const std::vector<Shape>& shapes,
                                   const std::vector<Motion>& motions) const;
-  template <Push push, bool friction, bool moving, typename Observer>
+  template <Push push, Look look, bool friction, bool moving, typename Observer>
   void sweep_all(std::vector<Motion>& motions, real h, Observer observer);
   template <Push push>
-  void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Motion& a, Motion& b, real h) const;
+  void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Mover& a, Mover& b, real h) const;
 
   ContactMethod method_;
   std::vector<ContactConstraint> constraints_;

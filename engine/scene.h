@@ -211,7 +211,7 @@ struct Method {
   JointMethod joint_solver = JointMethod::direct;
   int substeps = 2;                  ///< per tick, at least 1
   std::optional<int> iterations;     ///< solver sweeps per substep, at least 1; without it, see `sweeps_per_substep`
-  std::optional<double> contact_hz;  ///< stiffness of soft contacts, which then all are; without it, 0.125 per substep
+  std::optional<double> contact_hz;  ///< stiffness of soft contacts, which then all are; without it, 0.2 per substep
   Precision precision = Precision::float64;
 };
 

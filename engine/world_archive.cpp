@@ -17,10 +17,17 @@ constexpr std::uint32_t version = 5;
 
 }  // namespace
 
+template <typename Archive, Exchanged<Mover> T>
+void exchange(Archive& archive, T& mover) {
+  auto& [velocity, spin, inv_inertia, inv_mass] = mover;
+  archive(velocity, spin, inv_mass, inv_inertia);
+}
+
 template <typename Archive, Exchanged<Motion> T>
 void exchange(Archive& archive, T& motion) {
-  auto& [velocity, spin, inv_inertia, inv_mass, delta, rotation, angle] = motion;
-  archive(velocity, spin, inv_mass, inv_inertia, delta, rotation, angle);
+  std::conditional_t<std::is_const_v<T>, const Mover, Mover>& mover = motion;
+  static_assert(sizeof motion == sizeof mover + sizeof motion.delta + sizeof motion.rotation + sizeof motion.angle);
+  archive(mover, motion.delta, motion.rotation, motion.angle);
 }
 
 template <typename Archive, Exchanged<Body> T>

@@ -24,7 +24,7 @@ end
 
 local ball
 at(3, function()
-  ball = body { name = "ball", at = {-5.6, 1.6}, velocity = {3.4, 0.5}, shape = circle { radius = 0.25 }, density = 2, friction = 0.8, rolling_resistance = 0.02 }
+  ball = body { name = "ball", at = {-5.6, 1.6}, velocity = {3, 0.5}, shape = circle { radius = 0.25 }, density = 2, friction = 0.8, rolling_resistance = 0.02 }
 end)
 
 section { at = 0, name = "Islands" }
