@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/work.h"
 
@@ -201,31 +202,44 @@ void ContactSolver::take_in(const std::vector<std::uint32_t>& which, const std::
   }
 }
 
+namespace {
+
+void begin(ContactConstraint& c) {
+  for (int k = 0; k < c.count; ++k) {
+    ConstraintPoint& p = c.points[k];
+    p.warm_normal = std::exchange(p.normal_impulse, real(0));
+    p.warm_tangent = std::exchange(p.tangent_impulse, real(0));
+  }
+}
+
+void give_share(ContactConstraint& c, Motion& motion_a, Motion& motion_b, real share) {
+  Mover a = motion_a;
+  Mover b = motion_b;
+  for (int k = 0; k < c.count; ++k) {
+    ConstraintPoint& p = c.points[k];
+    const real normal = share * p.warm_normal;
+    const real tangent = share * p.warm_tangent;
+    p.normal_impulse += normal;
+    p.tangent_impulse += tangent;
+    push_apart(a, b, p, normal * c.normal + tangent * perp(c.normal));
+  }
+  take_speeds(motion_a, a);
+  take_speeds(motion_b, b);
+}
+
+}  // namespace
+
 void ContactSolver::begin_substep(std::vector<Motion>& motions, real share) {
   for (ContactConstraint& c : constraints_) {
-    for (int k = 0; k < c.count; ++k) {
-      ConstraintPoint& p = c.points[k];
-      p.warm_normal = p.normal_impulse;
-      p.warm_tangent = p.tangent_impulse;
-      p.normal_impulse = 0;
-      p.tangent_impulse = 0;
-    }
+    begin(c);
+    give_share(c, motions[c.body_a], motions[c.body_b], share);
   }
   rolling_.begin_substep();
-  add_share(motions, share);
+  rolling_.add_share(motions, share);
 }
 
 void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
-  for (ContactConstraint& c : constraints_) {
-    for (int k = 0; k < c.count; ++k) {
-      ConstraintPoint& p = c.points[k];
-      const real normal = share * p.warm_normal;
-      const real tangent = share * p.warm_tangent;
-      p.normal_impulse += normal;
-      p.tangent_impulse += tangent;
-      push_apart(motions[c.body_a], motions[c.body_b], p, normal * c.normal + tangent * perp(c.normal));
-    }
-  }
+  for (ContactConstraint& c : constraints_) give_share(c, motions[c.body_a], motions[c.body_b], share);
   rolling_.add_share(motions, share);
 }
 

@@ -20,6 +20,7 @@ constexpr real most_missed = real(0.025);
 void JointGroup::add_share(const JointedBodies& scene) {
   if (in_turns_) {
     for (Row& row : rows_) {
+      if (row.begun == 0) continue;  // most stops
       apply(row, row.begun, scene);
       row.pushed += row.begun;
     }
