@@ -2,9 +2,8 @@
 
 /// Contacts and friction, one contact after the other, sweep by sweep (projected Gauss-Seidel on impulses; "sequential
 /// impulses", Catto, GDC 2006). Three ways to get overlap out:
-///   soft_step            by a damped spring as stiff as the substep can carry; a second, rigid sweep takes the
-///   velocity
-///                        of the push out again ("TGS Soft", Catto, Solver2D, box2d.org 2024)
+///   soft_step            by a damped spring as stiff as the substep can carry; as many rigid sweeps take out again
+///                        what velocity the push has left ("TGS Soft", Catto, Solver2D, box2d.org 2024)
 ///   sequential_impulses  a part of it per substep, by velocity, which stays as energy (Baumgarte 1972; as taught)
 ///   ngs                  not by velocity at all: afterwards the positions are moved (nonlinear Gauss-Seidel)
 /// Under the verlet integrator there are sweeps before the drift and after it, and both get half of gravity each, so
