@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "render/draw_layers.h"
 #include "render/draw_text.h"
@@ -63,10 +64,10 @@ Align align_of(Corner at) {
                       ", not even in its smallest letters: shorten it, or make captions of it that follow each other");
 }
 
-void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) {
-  const Block block =
-      fitting_block(stage.canvas, stage.sizes, caption, stage.frame.other_panes.empty() ? usual_room : split_room);
-  if (block.lines.empty()) return;
+/// Returns how high it is, in em of the text's size.
+double draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption, const Room& room) {
+  const Block block = fitting_block(stage.canvas, stage.sizes, caption, room);
+  if (block.lines.empty()) return 0;
   if (!block.fits) refuse(stage.canvas, caption);
   const double size = block.size_px;
   const double padding = 0.7 * size;
@@ -77,6 +78,7 @@ void draw_caption(const Stage& stage, Cards& cards, const CaptionView& caption) 
                    : align == Align::right ? card.upper.x - padding
                                            : 0.5 * (card.lower.x + card.upper.x);
   draw_lines(stage.canvas, block.lines, block.size_px, {x, card.lower.y + 0.55 * size}, align, stage.palette.ink);
+  return block.height / stage.sizes.text;
 }
 
 }  // namespace
@@ -89,9 +91,14 @@ void require_room(Canvas& canvas, const std::vector<CaptionView>& captions) {
 }
 
 void draw_captions(const Stage& stage, Cards& cards) {
+  const bool split = !stage.frame.other_panes.empty();
+  constexpr std::size_t corners = static_cast<std::size_t>(Corner::bottom_right) + 1;
+  std::array<double, corners> taken{};  // by those of the same place, em: on a band they lie below each other
   for (const CaptionView& caption : stage.frame.captions) {
+    double& height = taken[static_cast<std::size_t>(caption.at)];
+    const Room room = split ? Room{split_room.above - height, split_room.below - height} : usual_room;
     stage.own(OwnerKind::caption, caption.text);
-    draw_caption(stage, cards, caption);
+    height += draw_caption(stage, cards, caption, room) + 0.4;
   }
 }
 

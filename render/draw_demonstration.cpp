@@ -10,8 +10,10 @@
 namespace proofreel {
 namespace {
 
-/// Upright pictures break captions sooner and have the room for it.
-int caption_lines(const Vec2d& size) { return size.x < size.y ? 3 : 2; }
+/// Upright pictures break captions sooner and have the room for it, and for counters below the heading.
+bool is_upright(const Stage& stage) { return stage.canvas.width_px() < stage.canvas.height_px(); }
+int caption_lines(const Stage& stage) { return is_upright(stage) ? 3 : 2; }
+double counter_line(const Stage& stage) { return is_upright(stage) ? line_height * stage.sizes.text : 0; }
 
 /// How the picture is divided, from the top down; px.
 struct Page {
@@ -22,8 +24,8 @@ struct Page {
 
 Page page_of(const Stage& stage) {
   const Aabbd safe = stage.safe_area();
-  const double head = 1.3 * stage.sizes.title;
-  const double band = (caption_lines(stage.picture().upper) * line_height + 0.8) * stage.sizes.text;
+  const double head = 1.3 * stage.sizes.title + counter_line(stage);
+  const double band = (caption_lines(stage) * line_height + 0.8) * stage.sizes.text;
   const double gap = 0.5 * stage.sizes.text;
   Page page{safe, safe, safe};
   page.head.upper.y = safe.lower.y + head;
@@ -33,22 +35,25 @@ Page page_of(const Stage& stage) {
   return page;
 }
 
-/// Counters end at the right edge, the heading begins at the left; where they would meet, the heading is smaller.
+/// Counters end at the right edge, the heading begins at the left; where they would meet, the heading is smaller. In
+/// upright pictures counters have a line of their own.
 void draw_head(const Stage& stage, const DemonstrationView& view, const Aabbd& head) {
   const int size = stage.sizes.small;
   const double baseline = head.lower.y + cap_height * stage.sizes.title;
+  const double line = baseline + counter_line(stage);
   double x = head.upper.x;
   for (auto counter = view.counters.rbegin(); counter != view.counters.rend(); ++counter) {
     const double value = stage.canvas.text_width(counter->value, stage.sizes.text);
-    stage.canvas.text(counter->value, {x, baseline}, stage.sizes.text, Align::right, stage.palette.ink);
+    stage.canvas.text(counter->value, {x, line}, stage.sizes.text, Align::right, stage.palette.ink);
     x -= value + 0.4 * size;
-    stage.canvas.text(counter->name, {x, baseline}, size, Align::right, stage.palette.quiet_ink);
+    stage.canvas.text(counter->name, {x, line}, size, Align::right, stage.palette.quiet_ink);
     x -= stage.canvas.text_width(counter->name, size) + 1.4 * size;
   }
+  const double end = line > baseline ? head.upper.x : x;
   const TypesetLine large = typeset_line(stage.canvas, view.heading, stage.sizes.title);
-  const bool fits = head.lower.x + large.width <= x;
-  const TypesetLine line = fits ? large : typeset_line(stage.canvas, view.heading, stage.sizes.text);
-  draw_line(stage.canvas, line, {head.lower.x, baseline}, stage.palette.ink);
+  const bool fits = head.lower.x + large.width <= end;
+  const TypesetLine heading = fits ? large : typeset_line(stage.canvas, view.heading, stage.sizes.text);
+  draw_line(stage.canvas, heading, {head.lower.x, baseline}, stage.palette.ink);
 }
 
 void draw_caption_band(const Stage& stage, const std::string& caption, const Aabbd& band) {
@@ -110,23 +115,56 @@ std::vector<double> heights_of(const Stage& stage, const std::vector<Pane>& pane
   return heights;
 }
 
+double shares_of(const std::vector<Pane>& panes) {
+  double shares = 0;
+  for (const Pane& pane : panes) shares += pane.share;
+  return shares;
+}
+
+std::vector<Aabbd> columns_of(const Stage& stage, const std::vector<Pane>& panes, const Aabbd& whole) {
+  const double gap = stage.sizes.text;
+  const double room = whole.upper.x - whole.lower.x - gap * static_cast<double>(panes.size() - 1);
+  const double shares = shares_of(panes);
+  std::vector<Aabbd> areas;
+  double x = whole.lower.x;
+  for (const Pane& pane : panes) {
+    const double width = room * pane.share / shares;
+    areas.push_back({{x, whole.lower.y}, {x + width, whole.upper.y}});
+    x += width + gap;
+  }
+  return areas;
+}
+
+/// Panes that lie beside each other in an upright picture: diagrams that follow each other, so that none gets too low
+/// for the names in it.
+std::vector<std::vector<Pane>> rows_of(const std::vector<Pane>& panes) {
+  std::vector<std::vector<Pane>> rows;
+  for (const Pane& pane : panes) {
+    if (rows.empty() || !pane.diagram || !rows.back().back().diagram) rows.emplace_back();
+    rows.back().push_back(pane);
+  }
+  return rows;
+}
+
 /// Side by side, or below each other where the picture is upright.
 std::vector<Aabbd> areas_of(const Stage& stage, const std::vector<Pane>& panes, const Aabbd& whole) {
   const Vec2d size = whole.upper - whole.lower;
-  const bool beside = size.x >= size.y;
+  if (size.x >= size.y) return columns_of(stage, panes, whole);
   const double gap = stage.sizes.text;
-  double shares = 0;
-  for (const Pane& pane : panes) shares += pane.share;
-  const double room = (beside ? size.x : size.y) - gap * static_cast<double>(panes.size() - 1);
-  std::vector<double> heights;
-  if (!beside) heights = heights_of(stage, panes, {size.x, room}, shares);
+  const std::vector<std::vector<Pane>> rows = rows_of(panes);
+  std::vector<Pane> firsts;
+  for (const std::vector<Pane>& row : rows) {
+    firsts.push_back(row.front());
+    firsts.back().share = shares_of(row);
+  }
+  const double room = size.y - gap * static_cast<double>(rows.size() - 1);
+  const std::vector<double> heights = heights_of(stage, firsts, {size.x, room}, shares_of(firsts));
   std::vector<Aabbd> areas;
-  double at = beside ? whole.lower.x : whole.lower.y;
-  for (std::size_t i = 0; i < panes.size(); ++i) {
-    const double long_side = beside ? room * panes[i].share / shares : heights[i];
-    areas.push_back(beside ? Aabbd{{at, whole.lower.y}, {at + long_side, whole.upper.y}}
-                           : Aabbd{{whole.lower.x, at}, {whole.upper.x, at + long_side}});
-    at += long_side + gap;
+  double y = whole.lower.y;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Aabbd row{{whole.lower.x, y}, {whole.upper.x, y + heights[i]}};
+    for (const Aabbd& area : columns_of(stage, rows[i], row)) areas.push_back(area);
+    y += heights[i] + gap;
   }
   return areas;
 }

@@ -72,7 +72,7 @@ class Cards {
 void draw_scene(const Stage& stage);
 /// What is written on them: plots, numbers of the grid, labels.
 void draw_notes(const Stage& stage, Cards& cards);
-/// A split screen: titled panes, each with its scene; and what is written, the captions of the first pane on bands of
+/// A split screen: titled panes, each with its scene; and what is written, the captions of all panes on bands of
 /// their own.
 void draw_split_scenes(const Stage& stage);
 void draw_split_notes(const Stage& stage);

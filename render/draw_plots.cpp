@@ -119,6 +119,32 @@ CardHeights heights_of(Canvas& canvas, const PlotView& plot, int size_px, double
   return heights;
 }
 
+/// Of a card in a corner: it leaves room for the action beside it, in a small pane of a split screen, too.
+double corner_width(const Stage& stage, double size) {
+  constexpr double usual_em = 21, most_of_picture = 0.58;
+  return std::min(usual_em * size, std::floor(most_of_picture * stage.picture().upper.x));
+}
+
+constexpr double lowest_area = 2, narrowest_card = 12;  // em; in less room curves cannot be read
+
+/// How high the area of the curves is in a corner: lower than usual where its pane is low.
+double corner_area(const Stage& stage, const CardHeights& heights, double size) {
+  if (stage.frame.pane_title.empty()) return heights.least_area;
+  const Aabbd safe = stage.safe_area();
+  const double room = safe.upper.y - safe.lower.y - heights.head - heights.foot;
+  return std::min(heights.least_area, std::max(lowest_area * size, room));
+}
+
+/// What lies behind a card cannot be seen: a pane of a split screen that is too small for both shows the action.
+bool has_room(const Stage& stage, const PlotView& plot) {
+  if (stage.frame.pane_title.empty()) return true;
+  const double size = stage.sizes.small, width = corner_width(stage, size);
+  const CardHeights heights = heights_of(stage.canvas, plot, stage.sizes.small, width);
+  const Aabbd safe = stage.safe_area();
+  return width >= narrowest_card * size &&
+         heights.head + lowest_area * size + heights.foot <= safe.upper.y - safe.lower.y;
+}
+
 /// Its card, whose place is given or is found in its corner.
 Chart chart_of(const Stage& stage, Cards& cards, std::size_t index, std::vector<LegendEntry>& legend) {
   constexpr int most_value_ticks = 4;
@@ -130,7 +156,8 @@ Chart chart_of(const Stage& stage, Cards& cards, std::size_t index, std::vector<
   chart.size = stage.sizes.small;
   const double size = chart.size;
   const double padding = padding_of(size);
-  const double width = placed ? stage.plot_places[index].upper.x - stage.plot_places[index].lower.x : 21 * size;
+  const double width =
+      placed ? stage.plot_places[index].upper.x - stage.plot_places[index].lower.x : corner_width(stage, size);
   chart.across = across_range(plot, most_across_ticks - 1);
   chart.values = value_range(plot, most_value_ticks);
   chart.across_ticks = ticks_in(chart.across.low, chart.across.high, most_across_ticks);
@@ -138,7 +165,7 @@ Chart chart_of(const Stage& stage, Cards& cards, std::size_t index, std::vector<
   CardHeights heights = heights_of(stage.canvas, plot, chart.size, width);
   legend = std::move(heights.legend);
   chart.card = placed ? stage.plot_places[index]
-                      : cards.place({width, heights.head + heights.least_area + heights.foot}, plot.at);
+                      : cards.place({width, heights.head + corner_area(stage, heights, size) + heights.foot}, plot.at);
   const double numbers = widest_number(stage, chart);
   chart.area = {
       {std::ceil(chart.card.lower.x + padding + numbers + 0.5 * size), std::ceil(chart.card.lower.y + heights.head)},
@@ -315,6 +342,7 @@ double least_plot_height(Canvas& canvas, const Sizes& sizes, const PlotView& plo
 
 void draw_plots(const Stage& stage, Cards& cards) {
   for (std::size_t i = 0; i < stage.frame.plots.size(); ++i) {
+    if (!has_room(stage, stage.frame.plots[i])) continue;
     stage.own(OwnerKind::plot, stage.frame.plots[i].title);
     draw_plot(stage, cards, i);
   }

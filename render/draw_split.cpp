@@ -32,21 +32,27 @@ Grid grid_of(int panes, Vec2d room) {
   return best;
 }
 
-/// Where the panes may lie: between the bands that captions keep.
-Aabbd room_of(const Stage& stage) {
-  Aabbd room = stage.safe_area();
-  const double text = stage.sizes.text;
-  if (stage.frame.bands.above) room.lower.y += line_height * stage.sizes.title + 1.6 * text;
-  if (stage.frame.bands.below) room.upper.y -= band_lines * line_height * text + 1.6 * text;
-  return room;
+/// A picture that is divided.
+struct Sheet {
+  Aabbd room;  ///< px, where the panes may lie: between the bands that captions keep
+  Sizes sizes;
+};
+
+Sheet sheet_of(const Frame& frame, int width_px, int height_px) {
+  const Sizes sizes = sizes_of(width_px, height_px);
+  const Aabbd picture{{0, 0}, {static_cast<double>(width_px), static_cast<double>(height_px)}};
+  Aabbd room = expanded(picture, -sizes.margin);
+  if (frame.bands.above) room.lower.y += line_height * sizes.title + 1.6 * sizes.text;
+  if (frame.bands.below) room.upper.y -= band_lines * line_height * sizes.text + 1.6 * sizes.text;
+  return {room, sizes};
 }
 
-double gap_of(const Stage& stage) { return stage.sizes.text; }
-double title_height(const Stage& stage) { return std::ceil(1.6 * stage.sizes.text); }
+double title_height(const Sizes& sizes) { return std::ceil(1.6 * sizes.text); }
 
 /// SplitPane `index`, its title included.
-Aabbd cell_of(const Stage& stage, const Aabbd& room, const Grid& grid, int index) {
-  const double gap = gap_of(stage);
+Aabbd cell_of(const Sheet& sheet, const Grid& grid, int index) {
+  const double gap = sheet.sizes.text;
+  const Aabbd& room = sheet.room;
   const Vec2d size = room.upper - room.lower;
   const double width = std::floor((size.x - gap * (grid.columns - 1)) / grid.columns);
   const double height = std::floor((size.y - gap * (grid.rows - 1)) / grid.rows);
@@ -55,10 +61,20 @@ Aabbd cell_of(const Stage& stage, const Aabbd& room, const Grid& grid, int index
   return {low, low + Vec2d{width, height}};
 }
 
-PixelRect below_title(const Stage& stage, const Aabbd& cell) {
-  const double top = cell.lower.y + title_height(stage);
+PixelRect below_title(const Sizes& sizes, const Aabbd& cell) {
+  const double top = cell.lower.y + title_height(sizes);
   return {static_cast<int>(cell.lower.x), static_cast<int>(top), static_cast<int>(cell.upper.x - cell.lower.x),
           std::max(1, static_cast<int>(cell.upper.y - top))};
+}
+
+/// The size of the first pane's scene in a picture of the film's own size.
+Size designed_size(const Frame& frame) {
+  const Size made_for = frame.view.made_for;
+  if (made_for.width_px == 0) return {};
+  const Sheet sheet = sheet_of(frame, made_for.width_px, made_for.height_px);
+  const Grid grid = grid_of(1 + static_cast<int>(frame.other_panes.size()), sheet.room.upper - sheet.room.lower);
+  const PixelRect area = below_title(sheet.sizes, cell_of(sheet, grid, 0));
+  return {area.width_px, area.height_px};
 }
 
 /// Letters do not shrink as fast as the panes do.
@@ -77,21 +93,21 @@ struct SplitPane {
 
 std::vector<SplitPane> panes_of(const Stage& stage) {
   const int count = 1 + static_cast<int>(stage.frame.other_panes.size());
-  const Aabbd room = room_of(stage);
-  const Grid grid = grid_of(count, room.upper - room.lower);
+  const Sheet sheet = sheet_of(stage.frame, stage.canvas.width_px(), stage.canvas.height_px());
+  const Grid grid = grid_of(count, sheet.room.upper - sheet.room.lower);
   std::vector<SplitPane> panes;
   for (int i = 0; i < count; ++i) {
-    const Aabbd cell = cell_of(stage, room, grid, i);
+    const Aabbd cell = cell_of(sheet, grid, i);
     panes.push_back({i == 0 ? stage.frame : stage.frame.other_panes[static_cast<std::size_t>(i) - 1], cell,
-                     below_title(stage, cell), static_cast<std::uint32_t>(i) * pane_stride});
+                     below_title(sheet.sizes, cell), static_cast<std::uint32_t>(i) * pane_stride});
   }
   return panes;
 }
 
-/// What draws inside a pane. Its height shows the view, whatever proportions the film has.
+/// What draws inside a pane. Its height shows the view, where it is not narrower than it was made for.
 Stage stage_in(const Stage& whole, const SplitPane& pane) {
   View view = pane.frame.view;
-  view.made_for = {};
+  view.made_for = designed_size(whole.frame);
   return {whole.canvas,
           pane.frame,
           whole.palette,
@@ -103,7 +119,7 @@ Stage stage_in(const Stage& whole, const SplitPane& pane) {
 }
 
 void draw_title(const Stage& stage, const SplitPane& pane) {
-  const double baseline = pane.cell.lower.y + 0.5 * (title_height(stage) + cap_height * stage.sizes.text) - 1;
+  const double baseline = pane.cell.lower.y + 0.5 * (title_height(stage.sizes) + cap_height * stage.sizes.text) - 1;
   const double width = pane.cell.upper.x - pane.cell.lower.x;
   const bool fits = stage.canvas.text_width(pane.frame.pane_title, stage.sizes.text) <= width;
   const int size = fits ? stage.sizes.text : stage.sizes.small;

@@ -120,11 +120,13 @@ struct Moment {
   double since = 0;
 };
 
+/// What ends within a rounding error has ended: steps begin on the very tick at which their section does.
 Moment moment_at(const std::vector<Story>& stories, double seconds) {
+  constexpr double rounding = 1e-9;
   const Story* last = nullptr;
   for (const Story& story : stories) {
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-      if (seconds < story.steps[i].seconds) return {&story, i, seconds};
+      if (seconds < story.steps[i].seconds - rounding) return {&story, i, std::max(0.0, seconds)};
       seconds -= story.steps[i].seconds;
     }
     last = &story;

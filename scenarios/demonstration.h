@@ -43,7 +43,8 @@ enum class Algorithm : std::uint8_t {
 };
 inline constexpr int algorithm_count = 19;
 const char* name_of(Algorithm algorithm);
-/// Seconds a usual step is shown unless the scenario says otherwise: comparisons come in dozens and are all alike.
+/// Seconds a usual step is shown unless the scenario says otherwise: comparisons come in dozens and are all alike. What
+/// takes longer to read is shown longer (demonstrations/reading.h).
 double usual_pace(Algorithm algorithm);
 
 /// The convex hulls of `parts`, rounded by `radius`; one part unless the outline is concave. World coordinates, m.
@@ -66,7 +67,7 @@ struct Demonstration {
   Algorithm algorithm = Algorithm::gift_wrapping;
   std::vector<Vec2d> points;
   std::vector<DemonstrationShape> shapes;
-  double pace = 1;                 ///< s a usual step is shown
+  double pace = 1;                 ///< s a usual step is shown, or longer where it has more to read
   std::optional<Placing> placing;  ///< of transforms, which need it
 };
 

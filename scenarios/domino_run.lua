@@ -35,7 +35,7 @@ expect("the wave settles to a steady speed", function()
   local late = fallen_at[35] - fallen_at[25]
   return math.abs(early / late - 1) < 0.15
 end, { finally = true })
-caption { text = "The wave finds its own speed", from = 0.4, to = 2.4, at = "top" }
+caption { text = "The wave finds its own speed", at = "top" }
 plot { title = "Dominoes fallen", seconds = 4, at = "top_left", y = { fallen = function()
   local n = 0
   for i = 1, 40 do if fallen_at[i] then n = n + 1 end end

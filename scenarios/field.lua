@@ -2,7 +2,7 @@
 scenario {
   title = "Mass spectrometer", duration = 4, view = { center = {2.75, 0.7}, height = 6.6 }, gravity = {0, 0},
   description = "A force field written in Lua: F = q B v, across the motion. Each ion lands 2 m v / (q B) away.",
-  layers = { "bodies", "trails", "labels" }, golden = { frames = { 0, 60, 120, 239 } }, theme = "dark",
+  layers = { "bodies", "trails", "labels" }, golden = { frames = { 0, 60, 120, 389 } }, theme = "dark",
 }
 
 local qB, v = 2, 3                                          -- N s/m, m/s
@@ -34,4 +34,5 @@ end
 expect("the field does no work before the first ion lands", function()
   return math.abs(energy().kinetic - 0.5 * (0.5 + 1 + 1.5 + 2) * v * v) < 0.01
 end, { at = 0.9 })
+freeze { at = 3.9, seconds = 2.5 }
 caption { text = "A force q B v across the motion: circles of diameter 2 m v / (q B)", from = 0, to = 4 }

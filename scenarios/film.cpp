@@ -136,6 +136,16 @@ std::vector<HighlightView> highlights(const Picture& picture, const Snapshot& sn
   return views;
 }
 
+/// Those that are not there yet.
+void add_new(const std::vector<CaptionView>& more, std::vector<CaptionView>& captions) {
+  for (const CaptionView& caption : more) {
+    const bool said = std::any_of(captions.begin(), captions.end(), [&](const CaptionView& other) {
+      return other.text == caption.text && other.at == caption.at;
+    });
+    if (!said) captions.push_back(caption);
+  }
+}
+
 }  // namespace
 
 std::vector<CaptionView> captions_at(const Scenario& scenario, std::int64_t tick) {
@@ -145,7 +155,15 @@ std::vector<CaptionView> captions_at(const Scenario& scenario, std::int64_t tick
     const bool shows = tick_at(caption.from, rate) <= tick && tick < tick_at(caption.to, rate);
     if (shows) views.push_back({caption.text, caption.at, caption.place});
   }
+  for (const auto& pane : scenario.other_panes)
+    add_new(captions_at(*pane, tick * pane->scene.rate / rate), views);  // frames lie on ticks of all panes
   return views;
+}
+
+void add_pane(Frame pane, Frame& frame) {
+  add_new(pane.captions, frame.captions);
+  frame.bands = {frame.bands.above || pane.bands.above, frame.bands.below || pane.bands.below};
+  frame.other_panes.push_back(std::move(pane));
 }
 
 double usual_force_scale(const Scenario& scenario) {

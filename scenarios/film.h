@@ -7,8 +7,10 @@
 
 namespace proofreel {
 
-/// What is written at `tick`, as far as the script has come.
+/// What is written at `tick`, as far as the script has come: in any pane, and once what several say.
 std::vector<CaptionView> captions_at(const Scenario& scenario, std::int64_t tick);
+/// Makes a frame the whole film's: `pane` beside those it has, and what is written there with what is written already.
+void add_pane(Frame pane, Frame& frame);
 
 /// The frame of the moment `snapshot` was taken, which is the last one recorded.
 Frame make_frame(const Scenario& scenario, const Recorder& recorder, Snapshot snapshot, std::int64_t index);

@@ -4,7 +4,7 @@ scenario {
   description = "A motor on the first wheel turns three; their angles stay coupled to the last digits.",
   duration = 5, view = { center = {0.5, -0.75}, height = 5.2 }, gravity = {0, 0},
   layers = { "bodies", "joints", "labels" },
-  golden = { frames = { 0, 60, 299 } },
+  golden = { frames = { 0, 60, 389 } },
 }
 
 -- A wheel of n teeth, one every 2 pi r / n; `phase` turns a gap to where the neighbour has a tooth.
@@ -42,4 +42,5 @@ plot { title = "Spin (rad/s)", seconds = 5, at = "bottom_left", y = {
   large = function() return large:spin() end,
   last = function() return last:spin() end,
 } }
+freeze { at = 4.9, seconds = 1.5 }
 caption { text = "The more teeth, the slower: 10 × 4 = 20 × 2 = 14 × 2.86 rad/s", at = "top" }

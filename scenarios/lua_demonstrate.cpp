@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenarios/demonstrations/reading.h"
 #include "scenarios/lua_fields.h"
 #include "scenarios/lua_model.h"
 #include "scenarios/lua_shapes.h"
@@ -109,7 +110,9 @@ int demonstrate(lua_State* state) {
   if (const auto problem = problem_with(asked)) throw Problem("demonstrate: " + *problem);
   if (!model.bodies.empty())
     throw Problem("demonstrate{...} films an algorithm: a scenario that has one has no bodies");
-  model.scenario.stories.push_back(story_of(asked));
+  Story story = story_of(asked);
+  give_time_to_read(story, model.scenario.stories, asked.pace / usual_pace(asked.algorithm));
+  model.scenario.stories.push_back(std::move(story));
   charge_for(state, model.scenario.stories.back());
   return 0;
 }

@@ -4,7 +4,7 @@ scenario {
   description = "Two weights on a rope fall at g (m1 - m2) / (m1 + m2), slowly enough to be measured by eye.",
   duration = 1.4, view = { center = {0.9, 0.8}, height = 5 },
   layers = { "bodies", "joints", "vectors", "labels" },
-  golden = { frames = { 0, 42, 83 } },
+  golden = { frames = { 0, 168, 332 } },
 }
 
 local m1, m2, g = 3, 2, 9.81
@@ -29,4 +29,5 @@ label { body = right, text = "2 kg" }
 vector { body = left, of = "velocity", scale = 0.3 }
 vector { body = right, of = "velocity", scale = 0.3 }
 plot { title = "Speed (m/s)", seconds = 1.4, at = "top_right", y = { ["3 kg, down"] = function() return -left:velocity().y end } }
+slow { from = 0, to = 1.4, factor = 0.25 }
 caption { text = "a = g (3 − 2) / (3 + 2) = g / 5" }

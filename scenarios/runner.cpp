@@ -361,7 +361,7 @@ Frame Runner::frame(std::int64_t index) const {
   Snapshot snapshot;
   impl_->simulation->observe(snapshot);
   Frame frame = make_frame(impl_->scenario, impl_->recorder, std::move(snapshot), index);
-  for (const auto& other : impl_->others) frame.other_panes.push_back(other->frame(index));
+  for (const auto& other : impl_->others) add_pane(other->frame(index), frame);
   return frame;
 }
 

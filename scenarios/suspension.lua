@@ -4,7 +4,7 @@ scenario {
   description = "Two sprung, driven wheels carry a car over bumps; at rest the springs give by m g / (2 k).",
   duration = 8, view = { center = {0, 1.75}, height = 5 },
   layers = { "bodies", "joints" },
-  golden = { frames = { 0, 89, 240, 479 } },
+  golden = { frames = { 0, 89, 450, 689 } },
 }
 
 for i = 0, 5 do
@@ -42,5 +42,6 @@ local function travel(i, x)   -- how far the wheel is pushed into the car, cm
 end
 plot { title = "Springs pushed in (cm)", seconds = 8, at = "top_left",
        y = { rear = function() return travel(1) end, front = function() return travel(2) end } }
+freeze { at = 1.9, seconds = 3.5 }
 caption { text = "At rest the springs give by m g / (2 k) = 8.4 cm", from = 0, to = 2 }
 caption { text = "Driving over bumps, the springs take up the blows", from = 2 }

@@ -12,6 +12,7 @@ body { name = "beam", type = "static", at = {0, 1.95}, shape = box { width = 3.4
 label { body = weight, text = "2 kg" }
 vector { body = weight, of = "velocity", scale = 0.3 }
 caption { text = "Let go", from = 0, to = 1, at = "top" }
+freeze { at = 3.9, seconds = 2 }
 caption { text = "It swings at $\\omega$ with $\\omega^2 = \\frac{k}{m}$, however far it falls", from = 1 }
 
 local function height() return weight:position().y - 0.8 end

@@ -4,7 +4,7 @@ scenario {
   description = "A weld bears 140 N: it holds the shelf and the filling bucket until their weight is just above that.",
   duration = 5, view = { center = {1.7, 1.5}, height = 4.3 },
   layers = { "bodies", "joints" },
-  golden = { frames = { 0, 180, 225, 299 } },
+  golden = { frames = { 0, 180, 225, 419 } },
 }
 
 ground { y = 0 }
@@ -40,4 +40,5 @@ every(0.05, function()
   end
 end)
 plot { title = "Load of the weld (N)", seconds = 5, at = "top_right", y = { load = function() return bond:reaction().y end, ["strength"] = function() return bears end } }
+freeze { at = 4.9, seconds = 2 }
 caption { text = "Sand runs in, 4 kg every second", from = 0, to = 3 }

@@ -104,7 +104,9 @@ class CircleAndPolygon {
       normal_ = axis.axis;
     }
     show_edge(edge, Role::candidate);
-    board_.show(arrow_mark(Role::candidate, centre_ - in_front * axis.axis, centre_));
+    const Vec2d foot = centre_ - in_front * axis.axis;
+    show_line_to(foot, edge);
+    board_.show(arrow_mark(Role::candidate, foot, centre_));
     board_.step(filled("Edge %: $S$ is $%$ m in front of it%",
                        {figure(edge + 1), figure(in_front), best_ == edge ? ", the most so far." : "."}));
   }
@@ -144,6 +146,13 @@ class CircleAndPolygon {
   void show_region() {
     for (const Vec2d end : {corners_[best_], corners_[(best_ + 1) % corners_.size()]})
       board_.show(path_mark(Role::quiet, {end, end + 1.6 * radius_ * normal_}));
+  }
+
+  /// From the nearer end of the edge to a foot on the line of the edge, where that lies beyond it.
+  void show_line_to(Vec2d foot, std::size_t edge) {
+    const Vec2d from = corners_[edge], to = corners_[(edge + 1) % corners_.size()];
+    const double along = dot(foot - from, to - from) / dot(to - from, to - from);
+    if (along < 0 || along > 1) board_.show(path_mark(Role::quiet, {along < 0 ? from : to, foot}));
   }
 
   void show_edge(std::size_t edge, Role role) {

@@ -21,7 +21,10 @@ class SignedArea {
     board_.keep(origin_mark({0, 0}));
     for (std::size_t i = 2; i < asked.points.size(); ++i) points_.push_back({asked.points[i], 0, "", Role::first});
     reach_ = length(a_);
-    for (const LookedAt& point : points_) reach_ = std::max(reach_, length(point.at));
+    for (const LookedAt& point : points_) {
+      reach_ = std::max(reach_, length(point.at));
+      largest_ = std::max(largest_, std::abs(cross(a_, point.at)));
+    }
   }
 
   Story tell() {
@@ -93,7 +96,7 @@ class SignedArea {
   void tell_side(std::size_t index) {
     LookedAt& point = points_[index];
     const double area = orientation({0, 0}, a_, point.at);  // exact in its sign, as everywhere in the engine
-    point.part = area / (length(point.at) * length(a_));
+    point.part = largest_ > 0 ? std::clamp(area / largest_, -1.0, 1.0) : 0;
     point.value = figure(area);
     point.role = area > 0 ? Role::result : area < 0 ? Role::alert : Role::chosen;
     show_line();
@@ -113,6 +116,7 @@ class SignedArea {
   Turning turning_;
   std::vector<LookedAt> points_;
   double reach_ = 0;
+  double largest_ = 0;  ///< area with a_, without its sign
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ class Shadow {
     for (std::size_t i = 2; i < asked.points.size(); ++i) points_.push_back({asked.points[i], 0, "", Role::first});
     for (const LookedAt& point : points_) reach_ = std::max(reach_, 1.1 * length(point.at));
     reach_ = std::max(reach_, 1.2 * length(a_));
+    for (const LookedAt& point : points_) largest_ = std::max(largest_, std::abs(dot(point.at, a_)));
   }
 
   Story tell() {
@@ -95,8 +96,7 @@ class Shadow {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       LookedAt& point = points_[i];
       const double here = dot(point.at, a_);
-      point.part = here / (length(point.at) * length(a_));
-      point.value = figure(here);
+      take_product(point);
       point.role = here > 0 ? Role::result : Role::alert;
       show_eye(2 * half_field);
       board_.show(keyed(arrow_mark(Role::candidate, {}, point.at), "look"));
@@ -110,11 +110,25 @@ class Shadow {
     }
   }
 
+  /// Its bar is the product, beside the largest there is.
+  void take_product(LookedAt& point) const {
+    const double here = dot(point.at, a_);
+    point.part = largest_ > 0 ? here / largest_ : 0;
+    point.value = figure(here);
+  }
+
+  /// Its bar is the cosine, so that the lengths of the vectors do not matter.
+  void take_cosine(LookedAt& point) const {
+    point.part = dot(point.at, a_) / (length(point.at) * length(a_));
+    point.value = figure(point.part);
+  }
+
   void tell_field() {
     board_.heading("Within the field of view?");
     const double limit = elementary::cos(half_field);
     std::size_t seen = 0;
     for (LookedAt& point : points_) {
+      take_cosine(point);
       const bool sees = point.part > limit;
       seen += sees ? 1 : 0;
       point.role = sees ? Role::result : Role::rejected;
@@ -122,7 +136,7 @@ class Shadow {
     show_eye(half_field);
     show_looked_at(board_, points_, limit);
     board_.step(filled("45\u00b0 to each side: $P$ is seen when $\\vec{QP} \u00b7 \\vec{f} > |\\vec{QP}| |\\vec{f}| "
-                       "cos\u200945\u00b0$, beyond the second line. So % of % are seen.",
+                       "cos\u200945\u00b0$. The bars are cosines now: % of % reach beyond the second line.",
                        {figure(seen), figure(points_.size())}),
                 6);
   }
@@ -131,6 +145,7 @@ class Shadow {
     board_.heading("Nearest in a direction");
     const LookedAt* nearest = nullptr;
     for (LookedAt& point : points_) {
+      take_product(point);
       point.role = point.part > 0 ? Role::first : Role::rejected;
       if (point.part > 0 && (nearest == nullptr || dot(point.at, a_) < dot(nearest->at, a_))) nearest = &point;
     }
@@ -156,6 +171,7 @@ class Shadow {
   Turning turning_;
   std::vector<LookedAt> points_;
   double reach_ = 0;
+  double largest_ = 0;  ///< product with a_, without its sign
 };
 
 }  // namespace

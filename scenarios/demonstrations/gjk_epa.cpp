@@ -187,7 +187,7 @@ class Search {
     show_polytope(Role::chosen);
     show_edge(Role::result);
     const Vec2d foot = foot_of_origin(edge_.a, edge_.b);
-    board_.show(in_pane(arrow_mark(Role::alert, {0, 0}, foot), difference));
+    board_.show(in_pane(arrow_mark(Role::alert, foot, {0, 0}), difference));
     board_.step(filled("Nothing lies beyond this edge: it is one of the difference itself. Depth $%$ m, and B leaves "
                        "along $n = %$.",
                        {figure(edge_.distance), figure(-edge_.normal)}),

@@ -45,8 +45,8 @@ class Line {
     for (const double y : {upper(), lower()}) keep_number_line(y, low, high);
     keep_interval(Role::first, a_, upper(), 1.4, "A");
     keep_interval(Role::second, b_, upper(), 0.5, "B");
-    board_.keep(text_mark(Role::quiet, {low - 1.6 * unit_, lower()}, {}, "$b \u2212 a$"));
-    board_.keep(text_mark(Role::quiet, {low - 1.6 * unit_, upper()}, {}, "$x$"));
+    board_.keep(text_mark(Role::quiet, {low - 2.2 * unit_, lower()}, {}, "$b \u2212 a$"));
+    board_.keep(text_mark(Role::quiet, {low - 2.2 * unit_, upper()}, {}, "$x$"));
   }
 
   void begin() {

@@ -71,7 +71,7 @@ class Steiner {
     show_turn(m.center, "About an axis through its own centre $C_1$ the moment of inertia is the least there is.");
     show_alone(first(), m.center);
     board_.show(labelled(dot_mark(Role::alert, m.center), {-1, 0}, "$C_1$"));
-    board_.step(filled("$J_1 = \u2211 \u0394m\u2009r^2 = %$ kg\u2009m\u00b2 for a mass $m_1$ of $%$ kg",
+    board_.step(filled("$I_1 = \u2211 \u0394m\u2009r^2 = %$ kg\u2009m\u00b2 for a mass $m_1$ of $%$ kg",
                        {figure(m.inertia, digits), figure(m.mass)}),
                 5);
   }
@@ -87,7 +87,7 @@ class Steiner {
     const Vec2d way = whole_.center - m.center;
     board_.show(labelled(dot_mark(Role::first, m.center), {-1, 0}, "$C_1$"));
     board_.show(text_mark(Role::first, m.center + 0.8 * way + 0.2 * perp(way), {}, "$d_1$"));
-    board_.step(filled("$J = J_1 + m_1 d_1^2 = % + % \u00b7 % = %$ kg\u2009m\u00b2, with $d_1 = %$ m",
+    board_.step(filled("$I = I_1 + m_1 d_1^2 = % + % \u00b7 % = %$ kg\u2009m\u00b2, with $d_1 = %$ m",
                        {figure(m.inertia, digits), figure(m.mass, digits), figure(d * d, digits),
                         figure(m.inertia + m.mass * d * d, digits), figure(d, digits)}),
                 6);
@@ -131,12 +131,12 @@ class Steiner {
       show_parts(count);
       const Term term = term_of(count - 1, whole_.center);
       board_.step(filled("Shape %: $% + %\u2009%^2 = % + %$ kg\u2009m\u00b2",
-                         {figure(count), numbered("J", count - 1), numbered("m", count - 1), numbered("d", count - 1),
+                         {figure(count), numbered("I", count - 1), numbered("m", count - 1), numbered("d", count - 1),
                           figure(term.own, digits), figure(term.moved, digits)}),
                   4);
     }
     show_parts(masses_.size());
-    board_.step(filled("$J = \u2211 (J_i + m_i d_i^2) = %$ kg\u2009m\u00b2: what the engine turns the body by.",
+    board_.step(filled("$I = \u2211 (I_i + m_i d_i^2) = %$ kg\u2009m\u00b2: what the engine turns the body by.",
                        {figure(whole_.inertia, digits)}),
                 7);
   }
@@ -159,7 +159,7 @@ class Steiner {
     std::vector<Bar> bars;
     double sum = 0;
     for (std::size_t i = 0; i < masses_.size(); ++i) {
-      const std::string name = filled("$% + %\u2009%^2$", {numbered("J", i), numbered("m", i), numbered("d", i)});
+      const std::string name = filled("$% + %\u2009%^2$", {numbered("I", i), numbered("m", i), numbered("d", i)});
       if (i >= terms.size()) {
         bars.push_back({Role::quiet, 0, name, ""});
         continue;
@@ -169,7 +169,7 @@ class Steiner {
                       terms[i].moved, Role::chosen});
       sum += terms[i].own + terms[i].moved;
     }
-    bars.push_back({Role::result, sum, filled("$J$: % kg\u2009m\u00b2", {figure(sum, digits)}), "sum"});
+    bars.push_back({Role::result, sum, filled("$I$: % kg\u2009m\u00b2", {figure(sum, digits)}), "sum"});
     show_bars(board_, bars_, bars, whole_.inertia);
   }
 

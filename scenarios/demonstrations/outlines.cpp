@@ -114,7 +114,7 @@ class Centroid {
     show_centres();
     board_.counters({{"S so far", filled("% m\u00b2", {figure(area_)})},
                      {"C so far", area_ != 0 ? figure((1 / area_) * moment_) : "none"}});
-    board_.step(filled("$S_% = \\frac{1}{2} \\vec{V_1V_%} \u00d7 \\vec{V_1V_%} = %$ m\u00b2%",
+    board_.step(filled("$S_% = \\frac{1}{2} \\vec{V_1V_%} \u00d7 \\vec{V_1V_%} = %$\u2009m\u00b2%",
                        {number, std::to_string(count_ + 1), std::to_string(count_ + 2), figure(event.signed_area),
                         event.signed_area < 0 ? ": it lies outside and counts negative."
                                               : filled(", with its centre in $C_%$.", {number})}),
@@ -125,7 +125,7 @@ class Centroid {
     show_triangles();
     for (const StoryMark& mark : centres_) board_.show(mark);
     board_.show(labelled(keyed(dot_mark(Role::result, centroid), "centroid"), {0, 1}, "$C_P$"));
-    board_.step(filled("$C_P = \\frac{1}{S_P} \u2211 S_i C_i = %$ with $S_P = \u2211 S_i = %$ m\u00b2",
+    board_.step(filled("$C_P = \\frac{1}{S_P} \u2211 S_i C_i = %$ with $S_P = \u2211 S_i = %$\u2009m\u00b2",
                        {figure(centroid), figure(area_)}),
                 6);
   }

@@ -1,4 +1,5 @@
-// Separating axes (thesis figure 4.5): both shapes projected on the normal of every edge, the least overlap kept.
+// Separating axes (thesis figure 4.5): both shapes projected on the normal of every edge, the shortest way out kept.
+// A normal points one way, so what counts is how far the other shape begins before its own ends.
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ class Axes {
     points_.insert(points_.end(), b_.begin(), b_.end());
     unit_ = extent_of(points_);
     board_.pane("");
-    bars_ = board_.pane("overlap on each axis", 0.4, true);
+    bars_ = board_.pane("way out along each axis", 0.4, true);
     board_.heading("Separating axes");
     keep_pair(board_, asked);
   }
@@ -63,21 +64,23 @@ class Axes {
       board_.show(dot_mark(Role::alert, at));
     }
     show_overlaps();
-    board_.step(
-        filled("No axis separates them. $%$ has the least overlap: the normal from A to B is $n = %$, the depth $%$ m.",
-               {name(least_), figure(normal), figure(depth)}),
-        4);
+    board_.step(filled("No axis separates them. The shortest way out is along $%$: the normal from A to B is $n = %$, "
+                       "the depth $%$ m.",
+                       {name(least_), figure(normal), figure(depth)}),
+                4);
     return board_.finish();
   }
 
  private:
   std::string caption(const AxisTested& axis, std::size_t current) const {
-    const auto range = [](const std::array<double, 2>& i) { return filled("[%, %]", {figure(i[0]), figure(i[1])}); };
-    const std::string covered =
-        filled("On $%$ A covers $%$, B covers $%$: ", {name(current), range(axis.interval_a), range(axis.interval_b)});
-    if (axis.separation > 0) return filled("%a gap of $%$ m.", {covered, figure(axis.separation)});
-    const std::string overlap = filled("overlap $%$ m", {figure(-axis.separation)});
-    return covered + overlap + (least_ == current ? ", the least so far." : ".");
+    const double end = axis.of_a ? axis.interval_a[1] : axis.interval_b[1];
+    const double begin = axis.of_a ? axis.interval_b[0] : axis.interval_a[0];
+    const std::string where =
+        filled("Along $%$ % ends at $%$ and % begins at $%$: ",
+               {name(current), axis.of_a ? "A" : "B", figure(end), axis.of_a ? "B" : "A", figure(begin)});
+    if (axis.separation > 0) return filled("%a gap of $%$ m.", {where, figure(axis.separation)});
+    const std::string way_out = filled("a way out of $%$ m", {figure(-axis.separation)});
+    return where + way_out + (least_ == current ? ", the shortest so far." : ".");
   }
 
   Story finish_apart() {

@@ -150,12 +150,14 @@ class Sweeps {
     step_ = steps;
     iteration_ = iterations;
     show_all();
-    board_.step(filled("After % steps of % iterations body % has sunk by $%$ mm from cold starts, by $%$ mm from warm "
-                       "ones, at the "
-                       "same price.",
-                       {figure(std::size_t{steps}), figure(std::size_t{iterations}), figure(cold_.top),
-                        figure(1000 * cold_.sunk, 1), figure(1000 * warm_.sunk, 1)}),
-                8);
+    board_.step(
+        filled(
+            "After % steps of % iterations body % has sunk by $%$\u2009mm from cold starts, by $%$\u2009mm from warm "
+            "ones, at the "
+            "same price.",
+            {figure(std::size_t{steps}), figure(std::size_t{iterations}), figure(cold_.top),
+             figure(1000 * cold_.sunk, 1), figure(1000 * warm_.sunk, 1)}),
+        8);
     return board_.finish();
   }
 

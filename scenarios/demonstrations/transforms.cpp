@@ -75,8 +75,12 @@ class LocalShape {
   std::string name() const { return figure(static_cast<std::size_t>(pane_)); }
 
   void show_axis(Storyboard& board, const Transformd& map, Vec2d unit, Role role, const std::string& axis) const {
-    board.show(
-        in_pane(keyed(arrow_mark(role, map.translation, map * unit), filled("axis % %", {axis, name()})), pane_));
+    const Vec2d from = map.translation, to = map * unit;
+    const std::string key = filled("axis % %", {axis, name()});
+    board.show(in_pane(keyed(arrow_mark(role, from, to), key), pane_));
+    const Vec2d aside = (unit.x > 0 ? -1 : 1) * perp(normalized(to - from));  // on the outer side of the two axes
+    const Vec2d at = to + 0.08 * (to - from) + 0.17 * aside;
+    board.show(in_pane(keyed(text_mark(role, at, {}, filled("$%\u2032$", {axis})), key), pane_));
   }
 
   DemonstrationShape shape_;
@@ -87,7 +91,7 @@ class LocalShape {
 /// The 2x3 matrix with its figures, and which product it is. Columns are marked by the colours of the axes.
 void show_matrix(Storyboard& board, int pane, const Transformd& map, const std::string& name) {
   const std::array<Vec2d, 3> columns{map.linear * Vec2d{1, 0}, map.linear * Vec2d{0, 1}, map.translation};
-  constexpr std::array<const char*, 3> heads{"x axis", "y axis", "origin"};
+  constexpr std::array<const char*, 3> heads{"$x\u2032$", "$y\u2032$", "origin"};
   constexpr std::array<Role, 3> roles{Role::candidate, Role::result, Role::first};
   const auto show = [&](StoryMark mark) { board.show(in_pane(std::move(mark), pane)); };
   show(text_mark(Role::first, {1, 1.35}, {}, filled("$% =$", {name})));
@@ -120,7 +124,8 @@ class Placement {
 
   Story tell() {
     show(identity, "I");
-    board_.step("A shape in its own coordinates, with its own axes. At first they are the world's.", 4);
+    board_.step(
+        "A shape in its own coordinates, with its own axes $x\u2032$ and $y\u2032$. At first they are the world's.", 4);
     Transformd done = identity;
     std::string name;
     for (const Part part : right_order) {

@@ -32,12 +32,12 @@ class Growth {
   void insert(std::size_t index) {
     name_ = letter(index);
     keep_shape(board_, asked_, index, panes_.boxes);
-    announce(index);
+    if (index > 0) announce(index);
     tree_.insert(Aabb(boxes_[index]), static_cast<std::uint32_t>(index), Observer([&](const Event& event) {
                    std::visit([&](const auto& e) { tell(e, boxes_[index]); }, event);
                  }));
     picture_ = TreePicture(tree_, boxes_);
-    if (index == 0) return;
+    if (index == 0) return announce(index);
     picture_.show(board_, panes_, false);
     board_.step(filled("% is in: a new node above both, and every box up to the root holds it now.", {name_}), 2);
   }

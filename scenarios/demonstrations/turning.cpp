@@ -86,10 +86,9 @@ void Turning::show_curve(double quarters) {
     curve_.push_back(in_pane(path_mark(Role::chosen, piece), curve_pane));
     drawn_to_ = quarters;
   }
-  const std::string title =
-      filled("$\\vec{a} % \\vec{b}$ over $\u03b1$, between $\u2212|\\vec{a}| |\\vec{b}|$ and $|\\vec{a}| |\\vec{b}|$",
-             {sign_});
+  const std::string title = filled("$\\vec{a} % \\vec{b}$ over $\u03b1$", {sign_});
   board_.show(in_pane(text_mark(Role::quiet, {0, 1.3}, {1, 0}, title), curve_pane));
+  board_.show(in_pane(text_mark(Role::quiet, {4, 1.3}, {-1, 0}, "$|\\vec{a}| |\\vec{b}|$"), curve_pane));
   for (const double y : {-1.0, 0.0, 1.0}) board_.show(in_pane(path_mark(Role::quiet, {{0, y}, {4, y}}), curve_pane));
   for (int i = 0; i <= 4; ++i) {
     board_.show(in_pane(path_mark(Role::quiet, {{i * 1.0, -1}, {i * 1.0, 1}}), curve_pane));

@@ -63,8 +63,8 @@ StoryMark sector_mark(Role role, Vec2d middle, double radius, double half_angle)
 /// A point that is looked at, and what came of it.
 struct LookedAt {
   Vec2d at;
-  double part = 0;    ///< of |a| |point|: -1 to 1
-  std::string value;  ///< of the product
+  double part = 0;    ///< how far its bar reaches: -1 to 1, to the left or to the right
+  std::string value;  ///< what its bar stands for; empty while it has none
   Role role = Role::first;
 };
 

@@ -5,7 +5,7 @@ scenario {
   title = "Action and reaction",
   description = "Two skaters of unequal mass push each other off: equal and opposite momenta, and a common centre that rests.",
   duration = 3, view = { center = {0.3, 1.1}, height = 5.6 }, layers = { "bodies", "joints", "vectors", "labels" },
-  golden = { frames = {40, 90, 135, 190, 251}, size = {640, 360} },
+  golden = { frames = {160, 210, 375, 610, 911}, size = {640, 360} },
 }
 
 ground { y = 0, friction = 0 }
@@ -35,6 +35,10 @@ section { at = 0, name = "At rest" }
 section { at = 1, name = "The push" }
 section { at = 1.4, name = "Apart" }
 slow { from = 1, to = 1.4, factor = 0.25 }
+freeze { at = 0, seconds = 2 }
+freeze { at = 1.2, seconds = 2 }
+freeze { at = 1.8, seconds = 3 }
+freeze { at = 2.6, seconds = 4 }
 caption { text = "Two skaters at rest on smooth ice", from = 0, to = 1 }
 caption { text = "They push each other: $F_{AB} = −F_{BA}$ at every moment", from = 1, to = 1.4 }
 caption { text = "Momenta stay equal and opposite: $m_A v_A + m_B v_B = 0$", from = 1.4, to = 2.2 }

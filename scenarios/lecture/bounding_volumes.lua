@@ -1,7 +1,7 @@
 -- Thesis figure 4.1: circle, AABB, OBB and convex hull around the same shape.
 scenario {
   title = "Bounding volumes", description = "How tight they are, and what a test costs.",
-  golden = { frames = { 460, 950, 1320, 1700 }, size = { 960, 540 } },
+  golden = { frames = { 730, 1280, 1845, 2225 }, size = { 960, 540 } },
 }
 
 demonstrate {

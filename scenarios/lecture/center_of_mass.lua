@@ -1,7 +1,7 @@
 -- Thesis figures 3.1 and 3.2, equations 3.1 and 3.2: two masses on a beam, then a body put together shape by shape.
 scenario {
   title = "Centre of mass", description = "Where a beam balances, and the centre of a body made of several shapes.",
-  golden = { frames = { 150, 450, 800, 1900, 2150 }, size = { 960, 540 } },
+  golden = { frames = { 150, 615, 965, 2364, 2614 }, size = { 960, 540 } },
 }
 
 demonstrate {

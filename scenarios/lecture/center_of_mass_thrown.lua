@@ -4,9 +4,9 @@ local g = 9.81
 
 scenario {
   title = "A thrown hammer",
-  description = "A hammer tumbles through the air: its centre of mass flies along a parabola, its corner along a cycloid.",
+  description = "A hammer tumbles through the air: its centre of mass flies along a parabola, all other points turn round it.",
   duration = 1.6, gravity = {0, -g}, view = { center = {-1.5, 1.9}, height = 6 }, layers = { "bodies", "trails", "labels" },
-  golden = { frames = {10, 60, 150, 180}, size = {640, 360} },
+  golden = { frames = {160, 264, 540, 900}, size = {640, 360} },
 }
 
 local hammer = body {
@@ -19,15 +19,19 @@ local corner = {-0.55, 0.06}
 
 ghost { body = hammer, every = 0.2 }
 trail { body = hammer, seconds = 2 }
-trail { body = hammer, seconds = 2, point = corner }
+trail { body = hammer, seconds = 0.5, point = corner }
 highlight { body = hammer, point = {from.x - hammer:position().x, from.y - hammer:position().y}, radius = 0.09,
             from = 0.4, to = 0.8, text = "centre of mass" }
 highlight { body = hammer, point = corner, radius = 0.09, from = 0.4, to = 0.8, text = "end of the handle" }
+slow { from = 0, to = 1.6, factor = 0.25 }
+freeze { at = 0, seconds = 2 }
 
 section { at = 0, name = "A throw" }
 section { at = 0.4, name = "Two points" }
 section { at = 0.8, name = "The parabola of the centre" }
-freeze { at = 0.6, seconds = 1.5 }
+freeze { at = 0.6, seconds = 3 }
+freeze { at = 1, seconds = 4 }
+freeze { at = 1.5, seconds = 3 }
 caption { text = "A hammer is thrown and turns as it flies", from = 0, to = 0.4 }
 caption { text = "One point of it moves simply, all the others move round it", from = 0.4, to = 0.8 }
 caption { text = "Only its weight acts, so the centre obeys $x = v_x t$, $y = v_y t − \\frac{g t^2}{2}$", from = 0.8, to = 1.25 }

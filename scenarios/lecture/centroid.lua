@@ -1,7 +1,7 @@
 -- Thesis figure 3.9, equations 3.7 and 3.8: triangles with signed areas, the negative ones outside the outline.
 scenario {
   title = "Centroid by triangulation", description = "Signed areas cancel what lies outside a concave polygon.",
-  golden = { frames = { 340, 530, 1200 }, size = { 960, 540 } },
+  golden = { frames = { 565, 830, 1545 }, size = { 960, 540 } },
 }
 
 demonstrate {

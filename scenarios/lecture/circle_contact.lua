@@ -1,7 +1,7 @@
 -- Thesis figures 4.3 and 4.4: circles against circles and polygons, special cases included.
 scenario {
   title = "Contacts of circles", description = "Standard and special cases.",
-  golden = { frames = { 600, 1250, 2100, 2740, 3800 }, size = { 960, 540 } },
+  golden = { frames = { 797, 1508, 3158, 3837, 5020 }, size = { 960, 540 } },
 }
 
 local house = polygon { {0, -1.2}, {2.4, -0.9}, {2.2, 0.9}, {0.3, 1.1} }

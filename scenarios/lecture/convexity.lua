@@ -1,7 +1,7 @@
 -- Thesis figures 3.4 and 3.5, equation 3.4: convex or concave, by the diagonals and by a walk along the edges.
 scenario {
   title = "Convex or concave?", description = "The diagonal test for quadrilaterals, the edge walk for all polygons.",
-  golden = { frames = { 380, 1540, 2330, 3345 }, size = { 960, 540 } },
+  golden = { frames = { 665, 2080, 3196, 4236 }, size = { 960, 540 } },
 }
 
 demonstrate { algorithm = "diagonal_test", points = { {-2, -1}, {1.7, -1.4}, {2.2, 1.2}, {-1.2, 1.5} } }

@@ -1,7 +1,7 @@
 -- Thesis figure 2.3, equation 2.10: the signed area of a parallelogram, and the side of a line on which a point lies.
 scenario {
   title = "Cross product", description = "A signed area, and on which side of a line a point lies.",
-  golden = { frames = { 500, 1500, 2500, 3200 }, size = { 960, 540 } },
+  golden = { frames = { 856, 2159, 3633, 4348 }, size = { 960, 540 } },
 }
 
 demonstrate {

@@ -1,7 +1,7 @@
 -- Thesis figures 2.1 and 2.2, equations 2.5 to 2.7: a projection, and what lies in front, in view, and nearest.
 scenario {
   title = "Dot product", description = "The length of a shadow; what is in front, in the field of view, and nearest.",
-  golden = { frames = { 200, 1700, 2400, 3050, 3500 }, size = { 960, 540 } },
+  golden = { frames = { 200, 2305, 3269, 3934, 4579 }, size = { 960, 540 } },
 }
 
 demonstrate {

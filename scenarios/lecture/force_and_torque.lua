@@ -5,7 +5,7 @@ scenario {
   title = "A force through and beside the centre",
   description = "Two equal bars get the same push: both centres move alike, one bar turns as well.",
   duration = 4.5, gravity = {0, 0}, view = { center = {-0.6, 0}, height = 6 }, layers = { "bodies", "trails", "vectors", "labels" },
-  golden = { frames = {20, 60, 100, 240, 329}, size = {640, 360} },
+  golden = { frames = {140, 150, 340, 480, 749}, size = {640, 360} },
 }
 
 local function bar(name, y)
@@ -30,7 +30,9 @@ for _, b in ipairs { through, beside } do highlight { body = b, point = {0, 0}, 
 section { at = 0, name = "At rest" }
 section { at = 0.5, name = "One push for both" }
 section { at = 2.5, name = "What is equal, what is not" }
-freeze { at = 0.5, seconds = 1 }
+freeze { at = 0, seconds = 2 }
+freeze { at = 0.5, seconds = 3 }
+freeze { at = 4.4, seconds = 3 }
 caption { text = "Two equal bars at rest", from = 0, to = 0.5 }
 caption { text = "One impulse $J$ (arrows): through the centre, and at distance $d$ from it", from = 0.5, to = 2.5 }
 caption { text = "Both centres move at $v = \\frac{J}{m}$; one bar turns as well, at $\\omega = \\frac{J d}{I}$", from = 2.5 }

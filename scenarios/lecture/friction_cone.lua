@@ -1,7 +1,7 @@
 -- Thesis chapter 3.4, friction: the force on a block tilts, inside and outside of the cone of friction.
 scenario {
   title = "Friction cone", description = "Static friction holds inside the cone; outside, kinetic friction brakes.",
-  golden = { frames = { 300, 650, 880, 1430, 1750 }, size = { 960, 540 } },
+  golden = { frames = { 540, 1040, 1571, 2602, 3100 }, size = { 960, 540 } },
 }
 
 demonstrate {

@@ -6,7 +6,7 @@ scenario {
   title = "Static and kinetic friction",
   description = "A block is pulled by a spring: friction answers every pull up to its limit, then drops and the block jerks on.",
   duration = 5, gravity = {0, -g}, view = { center = {0.4, 1.05}, height = 4.6 },
-  layers = { "bodies", "joints", "forces" }, force_scale = 0.07, golden = { frames = {40, 80, 120, 200, 299}, size = {640, 360} },
+  layers = { "bodies", "joints", "forces" }, force_scale = 0.07, golden = { frames = {160, 320, 480, 800, 1196}, size = {640, 360} },
 }
 
 ground { y = 0, friction = { static = static, kinetic = kinetic } }
@@ -25,8 +25,9 @@ local function friction() return tension() - m * (block:velocity().x - now) * 24
 section { at = 0, name = "Friction follows the pull" }
 section { at = 1.4, name = "It gives way" }
 section { at = 3, name = "Stick and slip" }
-caption { text = "The block rests: friction equals the pull, up to $\\mu_s N$ = 11.8 N", from = 0, to = 1.4 }
-caption { text = "It slides: friction is $\\mu_k N$ = 7.8 N, however strong the pull", from = 1.4, to = 3 }
+slow { from = 0, to = 5, factor = 0.25 }
+caption { text = "The block rests: friction equals the pull, up to $\\mu_s F_n$ = 11.8 N", from = 0, to = 1.4 }
+caption { text = "It slides: friction is $\\mu_k F_n$ = 7.8 N, however strong the pull", from = 1.4, to = 3 }
 caption { text = "Where it comes to rest it sticks again, and all begins anew", from = 3 }
 plot { title = "Friction against pull", unit = "N", x = { pull = tension }, x_unit = "N", y = { friction = friction },
        seconds = 5, at = "top_right" }

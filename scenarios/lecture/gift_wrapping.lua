@@ -1,7 +1,7 @@
 -- Thesis figures 3.6 to 3.8 and table 3.1: the convex hull of a set of points, with every comparison counted.
 scenario {
   title = "Gift wrapping", description = "The convex hull corner by corner, by Jarvis' march.",
-  golden = { frames = { 75, 625, 1400, 2100 }, size = { 960, 540 } },
+  golden = { frames = { 75, 1825, 3140, 4260 }, size = { 960, 540 } },
 }
 
 demonstrate {

@@ -1,7 +1,7 @@
 -- Thesis figures 4.9 to 4.11: GJK, EPA and clipping, the world beside the Minkowski difference.
 scenario {
   title = "GJK, EPA and clipping", description = "From the first support point to the contact points.",
-  golden = { frames = { 200, 800, 1300, 1740, 2200, 2700, 3200 }, size = { 960, 540 } },
+  golden = { frames = { 200, 1460, 2455, 3240, 3835, 4665, 5390 }, size = { 960, 540 } },
 }
 
 demonstrate {

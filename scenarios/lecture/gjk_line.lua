@@ -1,7 +1,7 @@
 -- Thesis figures 4.6 to 4.8: GJK in one dimension. Intervals that overlap, that touch in one point, and that are apart.
 scenario {
   title = "GJK on a line", description = "Intervals, their difference, and a simplex of its ends around the origin.",
-  golden = { frames = { 850, 1300, 2950, 3900, 4400 }, size = { 960, 540 } },
+  golden = { frames = { 1660, 2215, 4135, 5100, 5600 }, size = { 960, 540 } },
 }
 
 local function show(a1, a2, b1, b2)

@@ -5,7 +5,7 @@ scenario {
   title = "One impulse, three masses",
   description = "Three discs get the same impulse: equal momenta, speeds as 4 : 2 : 1.",
   duration = 3, gravity = {0, 0}, view = { center = {0, 0}, height = 5.6 }, layers = { "bodies", "trails", "vectors", "labels" },
-  golden = { frames = {20, 60, 120, 209}, size = {640, 360} },
+  golden = { frames = {140, 151, 420, 509}, size = {640, 360} },
 }
 
 local discs = {}
@@ -26,7 +26,9 @@ end)
 section { at = 0, name = "At rest" }
 section { at = 0.5, name = "Equal momenta" }
 section { at = 1.7, name = "Unequal speeds" }
-freeze { at = 0.51, seconds = 1 }
+freeze { at = 0, seconds = 2 }
+freeze { at = 0.51, seconds = 4 }
+freeze { at = 2.9, seconds = 4 }
 caption { text = "Three discs at rest", from = 0, to = 0.51 }
 caption { text = "The same impulse $J$ for each: the momentum $m v = J$ is the same (arrows)", from = 0.51, to = 1.7 }
 caption { text = "The speeds are not: $v = \\frac{J}{m}$ is 2, 1 and 0.5 m/s", from = 1.7 }

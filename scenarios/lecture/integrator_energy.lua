@@ -9,9 +9,9 @@ include "include/six_pendulums.lua"
 
 plot { title = "Energy off, parts of 2 m g l", y = { energy = swing.off }, seconds = 20 }
 section { at = 0, name = "One swing" }
-section { at = 4, name = "Ripple or drift" }
-caption { text = "How far the energy is off, every method at a scale of its own", from = 0, to = 4 }
-caption { text = "Symplectic methods let it ripple about its value; rk4 loses a little in every swing", from = 4 }
+section { at = 6, name = "Ripple or drift" }
+caption { text = "How far the energy is off, every method at a scale of its own", from = 0, to = 6 }
+caption { text = "Symplectic methods let it ripple about its value; rk4 loses a little in every swing", from = 6 }
 
 measure("energy off", swing.off)
 if swing.method == "rk4" then

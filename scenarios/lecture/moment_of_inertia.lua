@@ -1,7 +1,7 @@
 -- Thesis chapter 3.4, equations 3.13 to 3.16: about the own centre, about an axis beside it (Steiner), and a whole body.
 scenario {
   title = "Moment of inertia", description = "A shape about its own centre, about an axis beside it, and a whole body.",
-  golden = { frames = { 400, 1500, 1900, 2600, 3300 }, size = { 960, 540 } },
+  golden = { frames = { 715, 1935, 2335, 3215, 3915 }, size = { 960, 540 } },
 }
 
 demonstrate {

@@ -5,7 +5,7 @@ scenario {
   title = "What a stack hands down",
   description = "Five equal boxes rest on each other: the contact below the n-th from the top carries n m g.",
   duration = 4, gravity = {0, -g}, view = { center = {0, 1.75}, height = 5.6 }, layers = { "bodies", "labels" },
-  force_scale = 0.03, golden = { frames = {30, 100, 179, 239}, size = {640, 360} },
+  force_scale = 0.03, golden = { frames = {30, 310, 629, 989}, size = {640, 360} },
 }
 
 local floor = ground { y = 0 }
@@ -29,6 +29,10 @@ layers { at = 2, "bodies", "forces" }
 section { at = 0, name = "A stack" }
 section { at = 1, name = "Masses" }
 section { at = 2, name = "Forces" }
+freeze { at = 0.5, seconds = 1.5 }
+freeze { at = 1.5, seconds = 2 }
+freeze { at = 2.5, seconds = 4 }
+freeze { at = 3.5, seconds = 5 }
 caption { text = "Five equal boxes at rest", from = 0, to = 1 }
 caption { text = "Each weighs $m g$ = 9.81 N", from = 1, to = 2 }
 caption { text = "The contact below the $n$-th box carries all that lies above it: $n m g$", from = 2, to = 3 }

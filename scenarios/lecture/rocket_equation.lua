@@ -5,7 +5,7 @@ scenario {
   title = "The rocket equation",
   description = "A rocket in empty space burns three quarters of its mass: the speed follows Tsiolkovsky's equation.",
   duration = 5.5, gravity = {0, 0}, view = { center = {0, 0}, height = 24 }, theme = "dark",
-  layers = { "bodies", "trails", "vectors", "labels", "grid" }, golden = { frames = {20, 120, 239, 329}, size = {640, 360} },
+  layers = { "bodies", "trails", "vectors", "labels", "grid" }, golden = { frames = {80, 480, 956, 1316}, size = {640, 360} },
 }
 
 local ship = body {
@@ -22,6 +22,7 @@ trail { body = ship, seconds = 0.5 }
 section { at = 0, name = "Burning" }
 section { at = 2, name = "Lighter and faster" }
 section { at = 4, name = "Burnt out" }
+slow { from = 0, to = 5.5, factor = 0.25 }
 caption { text = "$q$ = 15 kg of gas leave at $u$ = 120 m/s every second: the thrust is $u q$", from = 0, to = 2 }
 caption { text = "The lighter it gets, the more the same thrust accelerates it: $\\frac{dv}{dt} = \\frac{u q}{m}$", from = 2, to = 4 }
 caption { text = "Burnt out at $v = u \\cdot ln \\frac{m_0}{m}$ = 120 m/s $\\cdot$ ln 4 = 166 m/s", from = 4 }

@@ -3,7 +3,7 @@ scenario {
   title = "One scene, many layers",
   description = "A small sandbox of falling and resting bodies, seen through one layer after another.",
   duration = 12, seed = 3, view = { center = {0, 2.65}, height = 8.4 }, layers = { "bodies", "joints" },
-  force_scale = 0.07, golden = { frames = {60, 150, 240, 330, 420, 510, 600, 700}, size = {640, 360} },
+  force_scale = 0.07, golden = { frames = {180, 420, 660, 900, 1140, 1380, 1620, 1880}, size = {640, 360} },
 }
 
 ground { y = 0 }
@@ -32,11 +32,13 @@ local shown = {
   { "forces", "what contacts and joints do, in newtons", "bodies", "joints", "forces" },
   { "islands", "what touches is solved together", "bodies", "islands" },
   { "ids, mass", "who is who, and where it balances", "bodies", "ids", "mass" },
-  { "energy", "what falls turns height into motion", "bodies", "joints", "energy" },
+  { "energy", "every body that is dropped in brings its own", "bodies", "joints", "energy" },
 }
+slow { from = 0, to = 12, factor = 0.5 }
 for i, layer in ipairs(shown) do
   local from, to = 1.5 * (i - 1), i < #shown and 1.5 * i or nil
   section { at = from, name = layer[1] }
+  freeze { at = from + 0.75, seconds = 1 }
   caption { text = layer[1] .. ": " .. layer[2], from = from, to = to }
   if i > 1 then layers { at = from, table.unpack(layer, 3) } end
 end

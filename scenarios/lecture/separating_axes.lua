@@ -1,7 +1,7 @@
 -- Thesis figure 4.5: two polygons projected on the normal of every edge; the axis of least overlap is the way out.
 scenario {
   title = "Separating axes", description = "Projections on every axis, the least overlap kept.",
-  golden = { frames = { 150, 470, 1200, 2200 }, size = { 960, 540 } },
+  golden = { frames = { 150, 910, 1710, 2919 }, size = { 960, 540 } },
 }
 
 local kite = polygon { {-2.2, -0.6}, {0.3, -1.1}, {0.9, 0.7}, {-1.2, 1.4} }

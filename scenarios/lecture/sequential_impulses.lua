@@ -2,7 +2,7 @@
 -- sweep, with and without the impulses of the step before.
 scenario {
   title = "Sequential impulses", description = "How the impulses in a stack are found, from a cold and from a warm start.",
-  golden = { frames = { 1150, 2250, 3000, 3450 }, size = { 960, 540 } },
+  golden = { frames = { 1855, 3270, 4020, 4469 }, size = { 960, 540 } },
 }
 
 demonstrate {

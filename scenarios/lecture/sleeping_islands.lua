@@ -2,8 +2,8 @@
 scenario {
   title = "Islands that sleep",
   description = "Bodies that touch form an island, tinted alike. Islands fall asleep as a whole, and a hit wakes one of them only.",
-  duration = 6, view = { center = {0, 2.3}, height = 6.4 }, layers = { "bodies", "islands" },
-  golden = { frames = {10, 110, 190, 230, 359}, size = {640, 360} },
+  duration = 6, view = { center = {0, 2}, height = 5.6 }, layers = { "bodies", "islands" },
+  golden = { frames = {10, 290, 550, 770, 1079}, size = {640, 360} },
 }
 
 ground { y = 0 }
@@ -28,12 +28,16 @@ at(3, function()
 end)
 
 section { at = 0, name = "Islands" }
-section { at = 1.6, name = "Asleep" }
+section { at = 0.42, name = "Asleep" }
 section { at = 3, name = "One is woken" }
-caption { text = "What touches belongs to one island: one tint each", from = 0, to = 1.6 }
-caption { text = "An island that has rested for half a second sleeps: it is drawn paler and not stepped", from = 1.6, to = 3 }
-caption { text = "A hit wakes the island it meets; the others sleep on", from = 3, to = 5 }
-caption { text = "What has come to rest sleeps again, now with the ball", from = 5 }
+freeze { at = 0.2, seconds = 3 }
+freeze { at = 2, seconds = 3 }
+freeze { at = 3.6, seconds = 3 }
+freeze { at = 5.5, seconds = 3 }
+caption { text = "What touches belongs to one island: one tint each", from = 0, to = 0.42 }
+caption { text = "An island that has rested for a moment sleeps: it is drawn paler and not stepped", from = 0.42, to = 3 }
+caption { text = "A hit wakes the island it meets; the others sleep on", from = 3, to = 4.2 }
+caption { text = "What has come to rest sleeps again, now with the ball", from = 4.2 }
 
 measure("bricks asleep", function()
   local n = 0

@@ -4,7 +4,7 @@ scenario {
   title = "Substeps against iterations",
   description = "A light chain carries a weight of twenty links: 32 sweeps per tick, as iterations or as substeps.",
   duration = 6, rate = 60, fps = 60, view = { center = {0.95, -1.75}, height = 4 }, layers = { "bodies", "joints" },
-  golden = { frames = {0, 90, 200, 359}, size = {640, 360} },
+  golden = { frames = {0, 90, 410, 779}, size = {640, 360} },
 }
 
 local function shared_out(substeps, iterations)
@@ -35,6 +35,9 @@ end
 plot { title = "largest gap of a joint in mm", y = { gap = function() return 1000 * largest_gap() end }, seconds = 6, at = "top_right" }
 caption { text = "A weight of 2 kg on links of 0.1 kg: every tick has 32 sweeps over the joints", from = 0, to = 3 }
 caption { text = "In steps 32 times as short the gap is $32^2$ times as small: it shrinks with $h^2$", from = 3 }
+
+freeze { at = 1.5, seconds = 3.5 }
+freeze { at = 5.5, seconds = 3.5 }
 
 measure("largest gap", largest_gap)
 if small_steps then

@@ -4,8 +4,8 @@ local torque, mass, radius, sides = 1.5, 4, 1, 16   -- N m, kg, m
 scenario {
   title = "Torque and moment of inertia",
   description = "A disc and a ring of equal mass get the same torque: the disc, whose mass is nearer to the axis, turns faster.",
-  duration = 4, gravity = {0, 0}, view = { center = {0, 0.3}, height = 4.6 }, layers = { "bodies", "joints", "labels" },
-  golden = { frames = {30, 100, 170, 239}, size = {640, 360} },
+  duration = 4, gravity = {0, 0}, view = { center = {0.2, 0.3}, height = 4.6 }, layers = { "bodies", "joints", "labels" },
+  golden = { frames = {300, 370, 620, 1019}, size = {640, 360} },
 }
 
 -- The area and the moment of inertia (of 1 kg/m^2) of a regular polygon about its centre.
@@ -36,6 +36,9 @@ label { body = ring, text = "ring" }
 section { at = 0, name = "Equal masses, equal torques" }
 section { at = 1.5, name = "Unequal spins" }
 section { at = 3, name = "Why" }
+freeze { at = 0, seconds = 4.5 }
+freeze { at = 2.2, seconds = 3 }
+freeze { at = 3.6, seconds = 5.5 }
 caption { text = "A disc and a ring of equal mass and radius, driven by the same torque $M$", from = 0, to = 1.5 }
 caption { text = "Each gains spin evenly, $\\omega = \\alpha t$ with $\\alpha = \\frac{M}{I}$", from = 1.5, to = 3 }
 caption { text = "The ring has its mass far out: its $I = \\sum m_i r_i^2$ is larger, so its $\\alpha$ is smaller", from = 3 }

@@ -1,7 +1,7 @@
 -- Thesis figures 2.4 and 2.5, equations 2.11 to 2.29: scale, turn, move, with the matrix of it all; and in another order.
 scenario {
   title = "From local to world coordinates", description = "Scale, turn and move a shape, and why the order matters.",
-  golden = { frames = { 300, 1150, 1850, 2450, 3300 }, size = { 960, 540 } },
+  golden = { frames = { 540, 1570, 2420, 3125, 4005 }, size = { 960, 540 } },
 }
 
 local shape = polygon { {-1, -0.7}, {1.1, -0.7}, {1.1, 0.2}, {-0.2, 0.9}, {-1, 0.5} }

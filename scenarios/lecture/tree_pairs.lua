@@ -1,7 +1,7 @@
 -- Thesis chapter 4.1: the tree against itself, from the top down, with a queue of pairs.
 scenario {
   title = "Which boxes overlap?", description = "Top-down traversal of a tree against itself: visited, pruned, found.",
-  golden = { frames = { 300, 560, 1450, 2300 }, size = { 960, 540 } },
+  golden = { frames = { 300, 829, 2038, 3082 }, size = { 960, 540 } },
 }
 
 demonstrate {

@@ -175,6 +175,31 @@ TEST_CASE("Nothing of a lecture film reaches into the margin") {
   }
 }
 
+TEST_CASE("Counters never lie on the heading, however narrow the picture") {
+  const auto picture_of = [](bool heading, bool counters, int width, int height) {
+    Frame frame;
+    frame.demonstration = DemonstrationView{};
+    frame.demonstration->panes.push_back({"", false, 1, {{0, 0}, {4, 3}}});
+    if (heading) frame.demonstration->heading = "Centroid by triangulation";
+    if (counters) frame.demonstration->counters = {{"S so far", "10.62 m\u00b2"}, {"C so far", "(-0.37, -0.03)"}};
+    return drawn(frame, Theme::light, width, height);
+  };
+  for (const auto& [width, height] : {std::pair{640, 360}, {360, 640}, {486, 864}, {540, 540}}) {
+    const Image none = picture_of(false, false, width, height);
+    const Image heading = picture_of(true, false, width, height), counters = picture_of(false, true, width, height);
+    const Image both = picture_of(true, true, width, height);
+    int shared = 0, written = 0;
+    for (std::size_t i = 0; i < none.rgba.size(); i += 4) {
+      const bool first = heading.rgba[i] != none.rgba[i], second = counters.rgba[i] != none.rgba[i];
+      shared += first && second ? 1 : 0;
+      written += both.rgba[i] != none.rgba[i] ? 1 : 0;
+    }
+    INFO(width << "x" << height);
+    CHECK(written > 200);
+    if (height > width) CHECK(shared == 0);  // in wide pictures the heading gives way when there are counters
+  }
+}
+
 TEST_CASE("Lecture films are gray throughout in print, and the same bytes twice") {
   const auto scenario = load_scenario("scenarios/lecture/gjk_epa.lua", {});
   Frame frame;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "render/draw_layers.h"
 #include "render/owners.h"
@@ -131,6 +132,62 @@ TEST_CASE("Captions of a split screen stay on their band, in smaller letters whe
     CHECK(covered == 0);
     CHECK_THROWS_WITH(owners_with(30, at), Catch::StartsWith("ball.lua: line 7: the text of this caption"));
   }
+}
+
+TEST_CASE("Two captions of one place are both shown on their band, or the second is refused") {
+  Canvas canvas(context(), 1280, 720);
+  Frame frame = split(2);
+  frame.captions = {{"one line", Corner::bottom, ""}, {"another", Corner::bottom, "ball.lua: line 9: "}};
+  CHECK_NOTHROW(draw_owners(canvas, frame, {Theme::light}));
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += "momentum ";
+  frame.captions[1].text = text;
+  CHECK_THROWS_WITH(draw_owners(canvas, frame, {Theme::light}), Catch::StartsWith("ball.lua: line 9: the text"));
+}
+
+TEST_CASE(
+    "A plot takes no more of its pane than leaves room for the action, and none where there is room for one only") {
+  Frame frame = split(4);
+  const OwnerPicture picture = [&] {
+    Canvas canvas(context(), 640, 480);
+    return draw_owners(canvas, frame, {Theme::light});
+  }();
+  int widest = 0;
+  for (int y = 0; y < 480; ++y) {
+    int plot = 0;
+    for (int x = 0; x < 320; ++x) {
+      const auto owner = picture.indices[static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x)];
+      plot += picture.owners[owner].kind == OwnerKind::plot ? 1 : 0;
+    }
+    widest = std::max(widest, plot);
+  }
+  CHECK(widest > 100);
+  CHECK(widest <= 0.58 * 320);
+  Canvas small(context(), 320, 180);
+  const OwnerPicture crowded = draw_owners(small, split(9), {Theme::light});
+  CHECK(std::none_of(crowded.owners.begin(), crowded.owners.end(),
+                     [](const Owner& owner) { return owner.kind == OwnerKind::plot; }));
+}
+
+TEST_CASE("A pane shows in upright pictures what it shows in one of the film's own proportions") {
+  Frame frame = split(4);
+  frame.captions.clear();
+  for (Frame& pane : frame.other_panes) pane.plots.clear();
+  frame.plots.clear();
+  frame.view.made_for = {1280, 720};
+  for (Frame& pane : frame.other_panes) pane.view.made_for = {1280, 720};
+  const auto seen = [&](int width_px, int height_px) {
+    Canvas canvas(context(), width_px, height_px);
+    const OwnerPicture picture = draw_owners(canvas, frame, {Theme::light});
+    std::set<std::uint32_t> bodies;
+    for (const std::uint32_t index : picture.indices) {
+      const Owner& owner = picture.owners[index];
+      if (owner.kind == OwnerKind::body) bodies.insert(owner.a);
+    }
+    return bodies;
+  };
+  const auto wide = seen(1280, 720), upright = seen(720, 1280);
+  CHECK(std::includes(upright.begin(), upright.end(), wide.begin(), wide.end()));
 }
 
 TEST_CASE("The title of a pane ends where its pane does") {

@@ -166,6 +166,25 @@ TEST_CASE("Panes that would be films of different lengths, sizes or times are re
   CHECK_NOTHROW(load_text("scenario{}\n" + two + "freeze{at=1, seconds=1} section{at=0, name='s'}"));
 }
 
+TEST_CASE("What any pane has for a caption the film shows, and once what several have") {
+  const std::string two = "scenario{duration=1}\npane{title='a'}\nlocal b = pane{title='b', rate=480}\n";
+  const auto frame_at = [](const std::string& text, std::int64_t tick) {
+    const auto scenario = load_text(text);
+    Runner runner(*scenario);
+    while (runner.tick() < tick) runner.step();
+    const Frame frame = runner.frame(0);
+    std::vector<std::string> said;
+    for (const CaptionView& caption : frame.captions) said.push_back(caption.text);
+    return std::pair{said, frame.bands.below};
+  };
+  const std::string later = "if b then caption{text='only b', from=0.5} end";
+  CHECK(frame_at(two + later, 0) == std::pair{std::vector<std::string>{}, true});
+  CHECK(frame_at(two + later, 120).first == std::vector<std::string>{"only b"});
+  CHECK(frame_at(two + "caption{text='all'}\n" + later, 120).first == std::vector<std::string>{"all", "only b"});
+  CHECK(frame_at(two + "if b then at(0.25, function() caption{text='called'} end) end", 72).first ==
+        std::vector<std::string>{"called"});
+}
+
 TEST_CASE("Expectations that a failed pane leaves open have its name, too") {
   const RunReport report = report_of(
       "scenario{duration=1, rate=60, fps=20}\npane{title='good'}\nlocal bad = pane{title='bad'}\n"

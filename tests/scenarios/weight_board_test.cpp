@@ -72,7 +72,7 @@ TEST_CASE("The moments of inertia add up to that of the body, each by Steiner's 
   double sum = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string n = std::to_string(i + 1);
-    const std::string key = "$J_{" + n + "} + m_{" + n + "}\u2009d_{" + n + "}^2$";
+    const std::string key = "$I_{" + n + "} + m_{" + n + "}\u2009d_{" + n + "}^2$";
     const MassProperties own = mass_of(body.shapes[i]);
     CHECK(bar_length(last, 1, key) == Approx(own.inertia / whole.inertia));
     const double moved = own.mass * length_squared(own.center - whole.center);
@@ -85,7 +85,7 @@ TEST_CASE("The moments of inertia add up to that of the body, each by Steiner's 
 
 TEST_CASE("Once round its own centre a shape's moment of inertia stays, and beside it it is larger") {
   const Story story = told(Algorithm::moment_of_inertia, parts);
-  const double own = bar_length(step_saying(story, "J_1 ="), 1, "sum");
+  const double own = bar_length(step_saying(story, "I_1 ="), 1, "sum");
   for (const Step& step : story.steps) {
     if (step.heading == "Moment of inertia about the own centre") CHECK(bar_length(step, 1, "sum") == Approx(own));
     if (step.caption.starts_with("Now the shape goes round")) CHECK(bar_length(step, 1, "sum") > own);
