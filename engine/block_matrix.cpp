@@ -91,8 +91,11 @@ void BlockMatrixOf<T>::resize(const std::vector<int>& rows) {
   pivot_.resize(at(size()));
   inverse_pivot_.resize(at(size()));
   updates_.assign(at(size()) * at(widest), 0);
-  threes_ = std::all_of(rows.begin(), rows.end(), [](int count) { return count == 3; });
-  few_ = size() <= most_few && !threes_;
+  const auto all_have = [&](int wanted) {
+    return std::all_of(rows.begin(), rows.end(), [wanted](int count) { return count == wanted; });
+  };
+  alike_ = all_have(2) ? 2 : all_have(3) ? 3 : 0;
+  few_ = size() <= most_few && alike_ != 3;
   if (few_) find_meeting_rows();
 }
 

@@ -85,8 +85,8 @@ class BlockMatrixOf {
   void find_meeting_rows();
   void subtract_what_follows_from(int place);
   void subtract_in_runs(int place);
-  template <bool in_runs>
-  void subtract_threes(int place);
+  template <int width, bool in_runs>
+  void subtract_alike(int place);
   void take_updates(const Panel& panel);
   void subtract_few(int place);
   template <int width, bool pairs>
@@ -125,7 +125,7 @@ class BlockMatrixOf {
   std::vector<Panel> panels_;   ///< and one behind the last
   std::vector<int> offset_;     ///< of each place in its panel, in rows
   std::vector<int> equations_;  ///< the numbers of all rows of all panels
-  bool threes_ = false;         ///< all blocks have three rows, as bodies do
+  int alike_ = 0;               ///< how many rows all blocks have: 2 as pins do, 3 as bodies do; else 0
   bool few_ = false;            ///< equations: then what meets where is looked up, not scattered by equation
   std::vector<int> meeting_;    ///< few: of each place, where its row and all below it stand in the panel of that row
   std::vector<int> meets_;      ///< few: where in `meeting_` those of each place begin

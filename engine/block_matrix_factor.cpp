@@ -103,8 +103,10 @@ void BlockMatrixOf<T>::take_few(const Panel& panel) {
 /// What eliminating the column of the block at `place` does to the column of the block's row.
 template <typename T>
 void BlockMatrixOf<T>::subtract_what_follows_from(int place) {
-  if (threes_) return in_runs_[at(column_[at(place)])] ? subtract_threes<true>(place) : subtract_threes<false>(place);
-  if (in_runs_[at(column_[at(place)])]) return subtract_in_runs(place);
+  const bool in_runs = in_runs_[at(column_[at(place)])] != 0;
+  if (alike_ == 2) return in_runs ? subtract_alike<2, true>(place) : subtract_alike<2, false>(place);
+  if (alike_ == 3) return in_runs ? subtract_alike<3, true>(place) : subtract_alike<3, false>(place);
+  if (in_runs) return subtract_in_runs(place);
   const Panel source = panels_[at(column_[at(place)])];
   const int begin = offset_[at(place)];
   const int end = begin + panels_[at(row_[at(place)])].width;
@@ -141,41 +143,37 @@ void BlockMatrixOf<T>::subtract_in_runs(int place) {
   }
 }
 
-/// The same where all blocks have three rows: nine products for every three entries that are loaded, and three sums.
+/// The same where all blocks have so many rows: `width` squared products for every `width` entries that are loaded, and
+/// `width` sums.
 template <typename T>
-template <bool in_runs>
-void BlockMatrixOf<T>::subtract_threes(int place) {
+template <int width, bool in_runs>
+void BlockMatrixOf<T>::subtract_alike(int place) {
   const Panel& source = panels_[at(column_[at(place)])];
-  const T* __restrict a = values_.data() + source.begin;
-  const T* __restrict b = a + source.height;
-  const T* __restrict c = b + source.height;
   const int top = offset_[at(place)];
-  T of_a[3];
-  T of_b[3];
-  T of_c[3];
-  for (int t = 0; t < 3; ++t) {
-    of_a[t] = a[top + t] * pivot_[at(source.first)];
-    of_b[t] = b[top + t] * pivot_[at(source.first + 1)];
-    of_c[t] = c[top + t] * pivot_[at(source.first + 2)];
+  const T* values[width];   // of each column of the source
+  T* sums[width];           // of each column of the target
+  T factors[width][width];  // of each column of the source, for each of the target
+  for (int t = 0; t < width; ++t) sums[t] = updates_.data() + at(t) * at(size());
+  for (int s = 0; s < width; ++s) {
+    values[s] = values_.data() + source.begin + at(s) * at(source.height);
+    for (int t = 0; t < width; ++t) factors[s][t] = values[s][top + t] * pivot_[at(source.first + s)];
   }
-  T* __restrict first_sums = updates_.data();
-  T* __restrict second_sums = first_sums + size();
-  T* __restrict third_sums = second_sums + size();
   const auto subtract = [&](int row, int offset, int count) {
     for (int k = 0; k < count; ++k) {
-      const T in_a = a[offset + k];
-      const T in_b = b[offset + k];
-      const T in_c = c[offset + k];
-      first_sums[row + k] += of_a[0] * in_a + of_b[0] * in_b + of_c[0] * in_c;
-      second_sums[row + k] += of_a[1] * in_a + of_b[1] * in_b + of_c[1] * in_c;
-      third_sums[row + k] += of_a[2] * in_a + of_b[2] * in_b + of_c[2] * in_c;
+      T in[width];
+      for (int s = 0; s < width; ++s) in[s] = values[s][offset + k];
+      for (int t = 0; t < width; ++t) {
+        T sum = factors[0][t] * in[0];
+        for (int s = 1; s < width; ++s) sum += factors[s][t] * in[s];
+        sums[t][row + k] += sum;
+      }
     }
   };
   if constexpr (in_runs) {
     for_each_run(place, 0, subtract);
   } else {
     const int end = start_[at(column_[at(place)]) + 1];
-    for (int p = place; p < end; ++p) subtract(first(row_[at(p)]), offset_[at(p)], 3);
+    for (int p = place; p < end; ++p) subtract(first(row_[at(p)]), offset_[at(p)], width);
   }
 }
 
@@ -185,7 +183,7 @@ void BlockMatrixOf<T>::take_updates(const Panel& panel) {
   for (int t = 0; t < panel.width; ++t) {
     T* values = values_.data() + panel.begin + at(t) * at(panel.height);
     T* updates = updates_.data() + at(t) * at(size());
-    for (int k = threes_ ? 0 : t; k < panel.height; ++k) values[k] -= std::exchange(updates[equations[k]], T(0));
+    for (int k = alike_ > 0 ? 0 : t; k < panel.height; ++k) values[k] -= std::exchange(updates[equations[k]], T(0));
   }
 }
 

@@ -102,7 +102,7 @@ template <typename T>
 void BlockMatrixOf<T>::spread_in_runs(int column, T* x) const {
   const Panel& panel = panels_[at(column)];
   const T* values = values_.data() + panel.begin;
-  if (threes_) return spread_threes(column, x);
+  if (alike_ == 3) return spread_threes(column, x);
   for (int s = 0; s < panel.width; ++s, values += panel.height) {
     const T known = x[panel.first + s];
     for_each_run(start_[at(column)], s + 1, [&](int row, int offset, int count) {
@@ -130,7 +130,7 @@ void BlockMatrixOf<T>::spread_threes(int column, T* x) const {
 /// Backward substitution: a column's unknowns from all below.
 template <typename T>
 void BlockMatrixOf<T>::gather(const Panel& panel, T* x) const {
-  if (threes_) return gather_threes(panel, x);
+  if (alike_ == 3) return gather_threes(panel, x);
   const int* equations = equations_of(panel);
   const int height = panel.height;
   const T* values = values_.data() + panel.begin + at(panel.width) * at(height);

@@ -25,9 +25,9 @@ constexpr real redundant_compliance = real(1e-3);
 constexpr real slight_compliance = real(1e-10);
 constexpr real independent = real(1e-8);
 
-/// Multiplications for one factorisation that a group may take: a net of 25 by 25 pins is about there, a chain of ten
+/// Multiplications for one factorisation that a group may take: a net of 30 by 30 bodies is about there, a chain of ten
 /// thousand links far below.
-constexpr double most_work = 2e7;
+constexpr double most_work = 5e6;
 
 }  // namespace
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+
+#include "engine/elimination.h"
 
 namespace proofreel {
 inline namespace PROOFREEL_PRECISION {
@@ -29,15 +32,18 @@ class JointGraph {
     }
   }
 
-  /// Groups of joints that hang together, each from its leaves to its root and with neighbours close together:
-  /// breadth-first search from an end of each chain (Cuthill and McKee 1969), read backwards (George 1971).
+  /// Groups of joints that hang together, each from its leaves to its root: breadth-first search from an end of each
+  /// chain, read backwards (George 1971). Trees fill in nothing in this order; where there are loops, those with the
+  /// fewest neighbours come first.
   std::vector<Ids> groups() const {
     Ids starts = joints_;
     std::stable_sort(starts.begin(), starts.end(), [this](auto i, auto j) { return degree(i) < degree(j); });
     std::vector<bool> seen(bodies_.size(), false);
     std::vector<Ids> groups;
     for (const std::uint32_t start : starts) {
-      if (!seen[start]) groups.push_back(group_from(start, seen));
+      if (seen[start]) continue;
+      groups.push_back(group_from(start, seen));
+      if (has_loops(groups.back())) groups.back() = by_fewest_neighbours(groups.back());
     }
     return groups;
   }
@@ -62,6 +68,37 @@ class JointGraph {
     }
     std::reverse(group.begin(), group.end());
     return group;
+  }
+
+  /// Joints that hang together and the bodies they move are a tree when one of them less holds them together.
+  bool has_loops(const Ids& group) const {
+    std::size_t held = 0;
+    std::vector<BodyIndex> bodies;
+    for (const std::uint32_t joint : group) {
+      held += bodies_[joint].size();
+      bodies.insert(bodies.end(), bodies_[joint].begin(), bodies_[joint].end());
+    }
+    std::sort(bodies.begin(), bodies.end());
+    const auto end = std::unique(bodies.begin(), bodies.end());
+    return held >= group.size() + static_cast<std::size_t>(end - bodies.begin());
+  }
+
+  Ids by_fewest_neighbours(const Ids& group) const {
+    std::vector<int> number(bodies_.size(), 0);
+    for (std::size_t i = 0; i < group.size(); ++i) number[group[i]] = static_cast<int>(i);
+    std::vector<std::vector<int>> neighbours(group.size());
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      std::set<int> others;
+      for (const BodyIndex body : bodies_[group[i]]) {
+        for (const std::uint32_t other : at_body_[body]) others.insert(number[other]);
+      }
+      others.erase(static_cast<int>(i));
+      neighbours[i].assign(others.begin(), others.end());
+    }
+    const std::vector<int> turns = elimination_turns(std::move(neighbours));
+    Ids ordered(group.size());
+    for (std::size_t i = 0; i < group.size(); ++i) ordered[static_cast<std::size_t>(turns[i])] = group[i];
+    return ordered;
   }
 
   std::vector<Ids> at_body_;
