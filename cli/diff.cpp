@@ -195,6 +195,11 @@ int diff(const Options& options) {
   return report(options, found, found.broken.empty() ? 0 : 1);
 }
 
+std::string problem_with_count(const std::string& text) {
+  const bool counts = text.find_first_not_of("0123456789") == std::string::npos;
+  return counts ? std::string() : "it is a whole number from 0 on, so not " + text;
+}
+
 void add_metric_options(CLI::App& app, Options& options) {
   app.add_option("--threshold", options.settings.threshold, "How far apart colours may be, 0 (equal) to 1 (anything)")
       ->capture_default_str()
@@ -215,10 +220,10 @@ void add_limit_options(CLI::App& app, Options& options) {
   app.add_option("--max-different", options.limits.different, "So many pixels may differ")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(problem_with_count, "0 or more");
   app.add_option("--max-window", options.limits.window, "So many of them may lie in one window")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(problem_with_count, "0 or more");
   app.add_option("--window", options.settings.window_px, "The side of that window, pixels")
       ->capture_default_str()
       ->type_name("N")

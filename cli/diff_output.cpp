@@ -1,7 +1,6 @@
 #include "cli/diff_output.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "scenarios/formatted.h"

@@ -1,4 +1,3 @@
-#include <csignal>
 #include <exception>
 
 #include "cli/commands.h"
@@ -40,6 +39,7 @@ int run(int argc, char** argv) {
       "environment");
   program.require_subcommand(1);
   const std::vector<Subcommand> commands = add_commands(program);
+  refuse_empty_words({argv, static_cast<std::size_t>(argc)});
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,17 @@
 #include "cli/options.h"
 
 #include <iostream>
+#include <string_view>
 
 #include "render/usage_error.h"
 
 namespace proofreel {
+namespace {
+
+/// An option with nothing after its `=`, such as "--csv=".
+bool ends_in_equals(std::string_view word) { return word.starts_with("--") && word.find('=') == word.size() - 1; }
+
+}  // namespace
 
 std::vector<Override> CommonOptions::overrides() const {
   std::vector<Override> overrides;
@@ -30,6 +37,15 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* descripti
   command->add_option("--threads", options.threads, "Cores to use for drawing and encoding")->check(CLI::Range(1, 256));
   command->add_flag("--quiet", options.quiet, "No words but errors");
   return command;
+}
+
+void refuse_empty_words(std::span<char* const> words) {
+  const std::string advice = "\": write there what is meant, or leave it out.";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string word = words[i];
+    if (word.empty()) throw UsageError("There is an empty word after \"" + std::string(words[i - 1]) + advice);
+    if (ends_in_equals(word)) throw UsageError("There is nothing after \"" + word + advice);
+  }
 }
 
 void say(const std::string& words) { std::cerr << words << "\n"; }

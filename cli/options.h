@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct CommonOptions {
 /// A subcommand of `program` that takes the common options; `example` ends its help. `options` must outlive it.
 CLI::App* add_command(CLI::App& program, const char* name, const char* description, const char* example,
                       CommonOptions& options);
+
+/// Throws UsageError for a word without a letter and for an option that ends in `=`: what nobody wrote would otherwise
+/// count as an option that was not given.
+void refuse_empty_words(std::span<char* const> words);
 
 /// Words for the user, on standard error, each on a line of its own.
 void say(const std::string& words);

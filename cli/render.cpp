@@ -47,7 +47,7 @@ void apply(const RenderOptions& options, Scenario& scenario) {
     picture.size = sheet_size(picture.size);
   }
   if (!options.theme.empty()) picture.theme = parse_theme(options.theme);
-  if (options.layers) apply_layers(*options.layers, scenario);
+  if (!options.layers.empty()) apply_layers(options.layers, scenario);
   if (options.fps) picture.fps = *options.fps;
 }
 

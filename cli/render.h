@@ -18,7 +18,7 @@ struct RenderOptions {
   std::string out;
   std::string size;
   std::string frames;
-  std::optional<std::string> layers;
+  std::string layers;
   std::string theme;
   std::string quality = "final";
   std::optional<std::string> preset;

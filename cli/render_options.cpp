@@ -4,6 +4,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "lab/csv.h"
 #include "render/png.h"
 
 namespace proofreel {
@@ -96,10 +97,8 @@ Theme parse_theme(const std::string& text) {
 
 double parse_card_seconds(const std::string& text) {
   constexpr double longest = 60;
-  double seconds = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, seconds);
-  if (error == std::errc() && stop == end && seconds > 0 && seconds <= longest) return seconds;
+  const std::optional<double> seconds = number_in(text);
+  if (seconds && *seconds > 0 && *seconds <= longest) return *seconds;
   throw UsageError("--title-card takes seconds, more than 0 and up to 60, such as --title-card=2.5, not \"" + text +
                    "\".");
 }

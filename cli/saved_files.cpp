@@ -1,13 +1,12 @@
 #include "cli/saved_files.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <span>
 
+#include "golden/file_text.h"
+#include "lab/csv.h"
 #include "render/output_file.h"
 #include "render/usage_error.h"
 #include "scenarios/timeline.h"
@@ -15,19 +14,11 @@
 namespace proofreel {
 namespace {
 
-std::optional<double> seconds_in(const std::string& text) {
-  double seconds = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, seconds);
-  if (error != std::errc{} || stop != end || !std::isfinite(seconds) || seconds < 0) return std::nullopt;
-  return seconds;
-}
-
 SaveTarget target_of(const std::string& option, const Scenario& scenario) {
   const std::size_t colon = std::min(option.find(':'), option.size());
-  const auto seconds = seconds_in(option.substr(0, colon));
+  const std::optional<double> seconds = number_in(option.substr(0, colon));
   const std::string file = option.substr(std::min(colon + 1, option.size()));
-  if (!seconds || file.empty())
+  if (!seconds || !std::isfinite(*seconds) || *seconds < 0 || file.empty())
     throw UsageError("--save takes T:FILE, such as 2.5:pyramid.run with seconds of scene time, not \"" + option +
                      "\".");
   const SaveTarget target{tick_at(*seconds, scenario.scene.rate), file};
@@ -58,12 +49,9 @@ void write_saved(const std::vector<SaveTarget>& targets, const Runner& runner) {
 }
 
 SavedRun read_saved(const std::string& file) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, error) || !stream)
-    throw ScenarioError(file + " cannot be resumed: there is no such file, or it cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return saved_run_in(std::as_bytes(std::span(text)), file);
+  const std::optional<std::string> text = file_text(file);
+  if (!text) throw ScenarioError(file + " cannot be resumed: there is no such file, or it cannot be read");
+  return saved_run_in(std::as_bytes(std::span(*text)), file);
 }
 
 }  // namespace proofreel

@@ -8,12 +8,10 @@
 /// by their bits, lists behind their length. Reading trusts nothing: lengths are bounded by what is left, and whatever
 /// cannot be leaves the reader spoilt, with zeros from then on.
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>

@@ -3,7 +3,6 @@
 /// Forces that pull bodies towards points or towards each other, as gravity does between stars. They act on centres of
 /// mass and depend on positions only, so energy is conserved as well as the integrator can.
 
-#include <span>
 #include <vector>
 
 #include "engine/body.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/mass.h"
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "engine/simulation.h"
 

@@ -17,7 +17,6 @@
 ///
 /// All in double precision whatever the engine's, with velocities in units in which every body has mass 1.
 
-#include <cstdint>
 #include <vector>
 
 #include "engine/block_matrix.h"

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "engine/scene.h"
 

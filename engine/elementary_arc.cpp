@@ -1,7 +1,6 @@
 /// The inverse trigonometric functions, all of them from one: the angle of a vector in the first quadrant.
 
 #include <array>
-#include <utility>
 
 #include "engine/elementary.h"
 #include "engine/elementary_parts.h"

@@ -10,7 +10,6 @@
 /// first one does, which is known to end (Murty 1974; together as Judice and Pires 1994). Rows that do not hold have no
 /// place in the system: a stop costs next to nothing until it is reached.
 
-#include <array>
 #include <limits>
 #include <span>
 

@@ -1,7 +1,5 @@
 #include "engine/mass.h"
 
-#include <cmath>
-
 #include "engine/elementary.h"
 #include "engine/rot.h"
 

@@ -20,11 +20,6 @@ constexpr T determinant(const BasicMat2<T>& m) {
   return cross(m.ex, m.ey);
 }
 
-template <typename T>
-constexpr BasicMat2<T> transpose(const BasicMat2<T>& m) {
-  return {{m.ex.x, m.ey.x}, {m.ex.y, m.ey.y}};
-}
-
 /// Solves m x = b by Cramer's rule; a singular matrix gives the zero vector.
 template <typename T>
 constexpr BasicVec2<T> solve(const BasicMat2<T>& m, BasicVec2<T> b) {

@@ -4,30 +4,14 @@
 /// Lengths in metres, corners counter-clockwise unless said otherwise. All decisions are made by the exact predicates.
 
 #include <span>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/observer.h"
+#include "engine/outline.h"
 #include "engine/predicates.h"
 #include "engine/vec2.h"
 
 namespace proofreel {
-
-/// The farthest a corner may lie from the origin along either axis, and the largest size of a shape, m.
-inline constexpr double max_coordinate = 1e9;
-
-/// The most corners an outline may have: cutting it into convex parts takes the cube of their number.
-inline constexpr int max_outline_corners = 256;
-
-/// Makes the outline of a polygon, convex or concave, ready for use: duplicates and points on straight edges (to a
-/// billionth of the polygon's extent) dropped, order made counter-clockwise. Otherwise a sentence: what is wrong and
-/// what to change, with corners counted from 1 in the order given. Refused are coordinates that are not finite or above
-/// 1e9, fewer than three distinct points, zero area, a polygon thinner than a millionth of its extent, more corners
-/// than max_outline_corners, and an outline that crosses or touches itself, to a billionth of its extent (so there are
-/// no holes). `name` is what the sentence calls the polygon.
-std::variant<std::vector<Vec2d>, std::string> clean_polygon(const std::vector<Vec2d>& corners,
-                                                            const std::string& name = "the polygon");
 
 /// The convex hull, counter-clockwise, by gift wrapping (Jarvis 1973): start at the leftmost point, which must be a
 /// corner, and always go on to the point that leaves all others to the left. O(n h) for n points and h corners. Points
@@ -55,7 +39,7 @@ bool quadrilateral_is_convex(Vec2d a, Vec2d b, Vec2d c, Vec2d d, Observer observ
 /// three corners when nothing is.
 std::vector<Vec2d> inset(const std::vector<Vec2d>& corners, double by);
 
-/// The three integrals over a polygon, summed over the fan of triangles (first corner, corner i, corner i + 1): thesis
+/// Integrals over a polygon, summed over the fan of triangles (first corner, corner i, corner i + 1): thesis
 /// 3.7 and 3.8. Triangles that lie outside a concave polygon count negative and cancel. Measuring from the first corner
 /// instead of the origin keeps all digits when the polygon is far away. The observer sees TriangleAdded.
 template <typename Observer = NoObserver>
@@ -64,11 +48,5 @@ double area_of(std::span<const Vec2d> corners, Observer observer = {});
 /// The centre of mass at equal density. The area must not be zero.
 template <typename Observer = NoObserver>
 Vec2d centroid_of(std::span<const Vec2d> corners, Observer observer = {});
-
-/// The second moment of area about the centroid, m^4: times density, the moment of inertia (thesis 3.15). The area must
-/// not be zero. It is summed over the triangles (centroid, corner i, corner i + 1), so that a convex polygon's is a sum
-/// of positive terms. Moving the moment about another point to the centroid by the parallel-axis theorem (thesis 3.16)
-/// would take a difference, which can lose all its digits, and its sign.
-double second_moment_of(std::span<const Vec2d> corners);
 
 }  // namespace proofreel

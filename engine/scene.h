@@ -38,7 +38,7 @@ inline constexpr int max_polygon_vertices = 16;
 /// Every shape is the set of points within `radius` of the convex hull of `points`, in body coordinates:
 /// one point is a disc, two a capsule (a segment when the radius is 0), three and more a polygon (rounded when radius >
 /// 0). Polygons are listed counter-clockwise. A concave polygon, or one of more corners, is several shapes of one body:
-/// clean_polygon (polygon.h) and then convex_parts (decompose.h) make their points.
+/// clean_polygon (outline.h) and then convex_parts (decompose.h) make their points.
 struct ShapeDef {
   std::vector<Vec2d> points;
   double radius = 0;

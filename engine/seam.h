@@ -10,7 +10,6 @@
 /// there, and which normals lie between its two edges.
 
 #include <span>
-#include <vector>
 
 #include "engine/shape.h"
 

@@ -3,8 +3,6 @@
 /// Convex shapes as the collision stages see them (thesis chapter 3.3): the hull of a few points, rounded by a radius.
 /// One point is a disc, two a capsule, three and more a polygon; so every pair of shapes needs the same few tests.
 
-#include <cstdint>
-
 #include "engine/real.h"
 #include "engine/scene.h"
 

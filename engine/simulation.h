@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "engine/effects.h"
-#include "engine/polygon.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
 #include "engine/stages.h"

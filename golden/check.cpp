@@ -17,7 +17,8 @@ std::optional<Golden> load_or_note(const GoldenStore& store, const std::string& 
   try {
     return store.load(id);
   } catch (const GoldenError& error) {
-    findings.push_back({std::nullopt, Verdict::missing, error.what(), {}});
+    const std::string advice = " Take it from the repository, or run bless.";
+    findings.push_back({std::nullopt, Verdict::missing, error.what() + advice, {}});
     return std::nullopt;
   }
 }

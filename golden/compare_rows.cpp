@@ -1,18 +1,12 @@
 #include "golden/compare_rows.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "golden/packed_pixel.h"
 #include "render/vectorised.h"
 
 namespace proofreel {
 namespace {
-
-inline std::uint32_t pixel(const std::uint8_t* bytes) {
-  std::uint32_t value;
-  std::memcpy(&value, bytes, 4);
-  return value;
-}
 
 inline std::int32_t channel(std::uint32_t pixel, unsigned shift) {
   return static_cast<std::int32_t>(pixel >> shift & 255U);
@@ -31,7 +25,7 @@ void add_up(const std::uint8_t* __restrict a, const std::uint8_t* __restrict b, 
             PieceSums& sums) {
   std::int32_t different = 0, beyond = 0, largest = 0, red = 0, green = 0, blue = 0, alpha = 0;
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t p = pixel(a + 4 * i), q = pixel(b + 4 * i);
+    const std::uint32_t p = packed_pixel(a + 4 * i), q = packed_pixel(b + 4 * i);
     const std::int32_t dr = channel(q, 0) - channel(p, 0), dg = channel(q, 8) - channel(p, 8);
     const std::int32_t db = channel(q, 16) - channel(p, 16), da = channel(q, 24) - channel(p, 24);
     const std::int32_t most = std::max(std::max(magnitude(dr), magnitude(dg)), std::max(magnitude(db), magnitude(da)));
@@ -47,7 +41,7 @@ PROOFREEL_VECTORISED
 void mark(const std::uint8_t* __restrict a, const std::uint8_t* __restrict b, int count, float least,
           std::uint8_t* __restrict marks) {
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t p = pixel(a + 4 * i), q = pixel(b + 4 * i);
+    const std::uint32_t p = packed_pixel(a + 4 * i), q = packed_pixel(b + 4 * i);
     const auto dr = static_cast<float>(channel(p, 0) - channel(q, 0));
     const auto dg = static_cast<float>(channel(p, 8) - channel(q, 8));
     const auto db = static_cast<float>(channel(p, 16) - channel(q, 16));

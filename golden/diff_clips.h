@@ -1,5 +1,7 @@
 #pragma once
 
+/// Two clips held against each other frame by frame: what differs, and a film of it.
+
 #include <functional>
 #include <string>
 

@@ -37,7 +37,7 @@ Image side_by_side(const Compared& c, const Region& region, const DiffTitles& ti
   int x = 0;
   const auto add = [&](const Image& panel, const std::string& title) {
     copy(panel, image, x, titled ? title_px : 0);
-    if (titled) letters.write(image, title, letters_px, x + 8, 19, x + panel.width_px - 4, words);
+    if (titled) letters.write(image, title, letters_px, {x + 8, 19, x + panel.width_px - 4}, words);
     x += panel.width_px + gap_px;
   };
   add(c.expected, titles.expected);

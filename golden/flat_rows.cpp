@@ -1,22 +1,17 @@
 #include "golden/flat_rows.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "golden/packed_pixel.h"
 #include "render/vectorised.h"
 
 namespace proofreel {
 namespace {
 
-inline std::uint32_t pixel(const std::uint8_t* bytes) {
-  std::uint32_t value;
-  std::memcpy(&value, bytes, 4);
-  return value;
-}
-
 /// Three neighbours of the pixel in one row that have its colour.
 inline std::uint32_t equal_in_row(const std::uint8_t* row, std::uint32_t color) {
-  return (pixel(row - 4) == color ? 1U : 0U) + (pixel(row) == color ? 1U : 0U) + (pixel(row + 4) == color ? 1U : 0U);
+  return (packed_pixel(row - 4) == color ? 1U : 0U) + (packed_pixel(row) == color ? 1U : 0U) +
+         (packed_pixel(row + 4) == color ? 1U : 0U);
 }
 
 /// For pixels with neighbours on all sides: clears the flags of those that are not flat in this picture.
@@ -24,7 +19,7 @@ PROOFREEL_VECTORISED
 void keep_flat(const std::uint8_t* above, const std::uint8_t* middle, const std::uint8_t* below, int count,
                std::uint8_t* flags) {
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t color = pixel(middle + 4 * i);
+    const std::uint32_t color = packed_pixel(middle + 4 * i);
     const std::uint32_t equal = equal_in_row(above + 4 * i, color) + equal_in_row(middle + 4 * i, color) - 1U +
                                 equal_in_row(below + 4 * i, color);
     flags[i] = static_cast<std::uint8_t>(flags[i] & (equal > 2 ? 1U : 0U));
@@ -33,7 +28,7 @@ void keep_flat(const std::uint8_t* above, const std::uint8_t* middle, const std:
 
 /// The same for one pixel at the border.
 bool is_flat_at_border(const Image& image, int x, int y) {
-  const auto at = [&image](int u, int v) { return pixel(image.row(v) + 4 * static_cast<std::size_t>(u)); };
+  const auto at = [&image](int u, int v) { return packed_pixel(image.row(v) + 4 * static_cast<std::size_t>(u)); };
   int equal = 1;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height_px - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.width_px - 1); ++u) {

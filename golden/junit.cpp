@@ -1,7 +1,5 @@
 #include "golden/junit.h"
 
-#include <string_view>
-
 #include "golden/html.h"
 #include "golden/json.h"
 

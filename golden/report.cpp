@@ -137,7 +137,7 @@ Report report_from_json(const std::string& text, const std::string& name) {
     refuse_other_kinds(json, name);
     return report_from(json);
   } catch (const Json::exception& error) {
-    throw UsageError(name + " is damaged: " + error.what() + ".");
+    throw UsageError(name + " is damaged: " + problem_in_json(error, text) + "; let check write that report again.");
   }
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/region.h"
+#include "render/image.h"
 
 namespace proofreel {
 

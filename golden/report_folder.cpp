@@ -1,11 +1,10 @@
 #include "golden/report_folder.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "golden/compare.h"
 #include "golden/diff_paint.h"
+#include "golden/file_text.h"
 #include "golden/plain_path.h"
 #include "golden/report_page.h"
 #include "render/output_file.h"
@@ -21,12 +20,9 @@ namespace fs = std::filesystem;
 constexpr const char* json_name = "report.json";
 constexpr const char* unfinished = "{\"format\": 1, \"kind\": \"proofreel report\"}\n";
 
-std::string text_in(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+bool is_ours(const fs::path& folder) {
+  return file_text(folder / json_name).value_or("").find("proofreel report") < 200;
 }
-
-bool is_ours(const fs::path& folder) { return text_in(folder / json_name).find("proofreel report") < 200; }
 
 void clear_away(const fs::path& path) {
   std::error_code error;
@@ -126,9 +122,9 @@ void ReportFolder::finish(const Report& report) const {
 
 Report read_report(const fs::path& folder) {
   const fs::path path = folder / json_name;
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) throw UsageError("There is no report in " + folder.string() + ".");
-  return report_from_json(text_in(path), path.string());
+  const std::optional<std::string> text = file_text(path);
+  if (!text) throw UsageError("There is no report in " + folder.string() + ".");
+  return report_from_json(*text, path.string());
 }
 
 }  // namespace proofreel

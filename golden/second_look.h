@@ -3,8 +3,6 @@
 /// What a second run of a failing scenario adds to what is said of it: since which tick, who was first, and whose the
 /// pixels are that differ.
 
-#include <map>
-
 #include "golden/judge.h"
 
 namespace proofreel {

@@ -1,11 +1,11 @@
 #include "golden/store.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "golden/file_text.h"
 #include "golden/hex.h"
 #include "golden/json.h"
+#include "render/png.h"
 
 namespace proofreel {
 namespace {
@@ -127,6 +127,16 @@ Tolerance tolerance_from(const Json& json) {
   return {json.value("max_channel", 0), json.value("pixels", std::int64_t{0}), json.at("reason"), seen};
 }
 
+/// JSON has numbers that no `int` holds. What has no pictures has the size 0.
+void check_size(const Json& json, const std::string& name) {
+  const auto is_side = [](const Json& side) {
+    return side.is_number_integer() && side >= 0 && side <= max_image_side_px;
+  };
+  if (is_side(json.at("width_px")) && is_side(json.at("height_px"))) return;
+  throw GoldenError(name + " is damaged: width_px and height_px are whole numbers up to " +
+                    std::to_string(max_image_side_px) + ".");
+}
+
 Golden golden_from(const Json& json) {
   Golden golden;
   golden.scenario = json.at("scenario");
@@ -195,9 +205,10 @@ Golden golden_from_json(const std::string& text, const std::string& name) {
       throw GoldenError(name + " is of format " + json.at("format").dump() + ", this program reads format " +
                         std::to_string(format_version) + ".");
     }
+    check_size(json, name);
     golden = golden_from(json);
   } catch (const Json::exception& error) {
-    throw GoldenError(name + " is damaged: " + error.what() + ".");
+    throw GoldenError(name + " is damaged: " + problem_in_json(error, text) + ".");
   }
   check_tolerance(golden.tolerance, name);
   return golden;
@@ -205,16 +216,16 @@ Golden golden_from_json(const std::string& text, const std::string& name) {
 
 std::optional<Golden> GoldenStore::load(const std::string& id) const {
   const fs::path path = json_path(id);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return golden_from_json(text, path.string());
+  const std::optional<std::string> text = file_text(path);
+  if (!text) return std::nullopt;
+  Golden golden = golden_from_json(*text, path.string());
+  golden.scenario = id;  // also where a folder was moved together with its scenario
+  return golden;
 }
 
 std::optional<TickTrace> GoldenStore::load_ticks(const Golden& golden) const {
-  std::ifstream file(ticks_path(golden.scenario), std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  std::optional<TickTrace> trace = tick_trace_from(bytes);
+  const std::string text = file_text(ticks_path(golden.scenario)).value_or("");
+  std::optional<TickTrace> trace = tick_trace_from({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   if (!trace || static_cast<std::int64_t>(trace->pieces.size()) != golden.ticks + 1) return std::nullopt;
   return hex(trace->pieces.back()).substr(12) == golden.final_trajectory_hash.substr(12) ? trace : std::nullopt;
 }

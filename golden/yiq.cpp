@@ -1,7 +1,8 @@
 #include "golden/yiq.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "golden/packed_pixel.h"
 
 namespace proofreel {
 namespace {
@@ -27,12 +28,6 @@ ColorStep step_between(const std::uint8_t* a, const std::uint8_t* b, std::int64_
 
 double brightness(const ColorStep& c) { return c.r * 0.29889531 + c.g * 0.58662247 + c.b * 0.11448223; }
 
-std::uint32_t pixel(const std::uint8_t* bytes) {
-  std::uint32_t value;
-  std::memcpy(&value, bytes, 4);
-  return value;
-}
-
 struct Extreme {
   double difference = 0;  ///< in brightness, of the middle pixel from this one
   int x = 0, y = 0;
@@ -41,7 +36,7 @@ struct Extreme {
 }  // namespace
 
 double yiq_distance(const std::uint8_t* a, const std::uint8_t* b, std::int64_t index) {
-  if (pixel(a) == pixel(b)) return 0;
+  if (packed_pixel(a) == packed_pixel(b)) return 0;
   const ColorStep c = step_between(a, b, index);
   const double y = brightness(c);
   const double i = c.r * 0.59597799 - c.g * 0.27417610 - c.b * 0.32180189;

@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "lab/bench.h"

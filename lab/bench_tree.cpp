@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <string>
 #include <vector>
 
 #include "engine/broad_phase.h"

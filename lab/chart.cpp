@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "engine/aabb.h"
 #include "lab/chart_axes.h"

@@ -2,7 +2,6 @@
 
 /// Curves over axes, laid out for print.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

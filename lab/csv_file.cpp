@@ -3,20 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
-
+#include "golden/file_text.h"
 #include "render/output_file.h"
 #include "render/usage_error.h"
 #include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {
-
-std::string text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What was cut off while its first line was written is a beginning of the header.
 bool is_ours(const std::string& text, const std::vector<CsvRecord>& records, const CsvRecord& header) {
@@ -26,7 +19,7 @@ bool is_ours(const std::string& text, const std::vector<CsvRecord>& records, con
 }  // namespace
 
 CsvFile::CsvFile(std::string path, CsvRecord header) : path_(std::move(path)), header_(std::move(header)) {
-  const std::string text = text_in(path_);
+  const std::string text = file_text(path_).value_or("");
   found_ = csv_records(text);
   if (!is_ours(text, found_, header_))
     throw UsageError(path_ + " holds a table of other columns: name another folder with -o, or remove it.");

@@ -2,8 +2,6 @@
 // Run natively and in WebAssembly, it must print the same.
 
 #include <cstdio>
-#include <string>
-#include <vector>
 
 #include "engine/simulation.h"
 #include "lab/effect_scenes.h"

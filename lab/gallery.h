@@ -4,7 +4,6 @@
 ///
 ///     contents.json -> chapters of ids -> film_for_gallery, one by one -> gallery_page
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

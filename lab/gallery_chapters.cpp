@@ -2,23 +2,26 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "golden/file_text.h"
+#include "golden/json.h"
 #include "lab/gallery.h"
-#include "scenarios/source.h"
 #include "scenarios/suggest.h"
 
 namespace proofreel {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json json_from(const std::string& path) {
+  const std::optional<std::string> text = file_text(path);
+  if (!text)
+    throw ScenarioError("There is no file " + path +
+                        ", which puts scenarios into chapters; with [] in it all are in one.");
   try {
-    return Json::parse(read_source(path));
+    return Json::parse(*text);
   } catch (const Json::exception& error) {
-    throw ScenarioError(path + ": this is no JSON: " + error.what());
+    throw ScenarioError(path + ": " + problem_in_json(error, *text) + ": mend it, or put [] into the file, and all " +
+                        "scenarios are in one chapter");
   }
 }
 
@@ -71,8 +74,6 @@ std::set<std::string> named_in(const std::vector<GalleryChapter>& chapters, cons
 
 std::vector<GalleryChapter> gallery_chapters(const std::string& folder, const std::vector<std::string>& ids) {
   const std::string path = (std::filesystem::path(folder) / "contents.json").string();
-  if (!std::filesystem::exists(path))
-    throw ScenarioError("There is no " + path + ", which puts scenarios into chapters; with [] in it all are in one.");
   std::vector<GalleryChapter> chapters = chapters_in(path);
   std::set<std::string> taken = named_in(chapters, ids, path);
   for (GalleryChapter& chapter : chapters) {

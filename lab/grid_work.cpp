@@ -1,9 +1,7 @@
 #include "lab/grid_work.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
-#include <system_error>
 
 #include "lab/children.h"
 #include "lab/grid_run.h"

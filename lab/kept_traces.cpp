@@ -1,9 +1,8 @@
 #include "lab/kept_traces.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "golden/file_text.h"
 #include "render/output_file.h"
 
 namespace proofreel {
@@ -14,9 +13,8 @@ KeptTraces::KeptTraces(const std::string& study_folder)
 }
 
 std::optional<Trace> KeptTraces::find(const StudyRun& run) const {
-  std::ifstream file(path_of(run), std::ios::binary);
-  if (!file) return std::nullopt;
-  return unpacked_trace({std::istreambuf_iterator<char>(file), {}});
+  const std::optional<std::string> text = file_text(path_of(run));
+  return text ? unpacked_trace(*text) : std::nullopt;
 }
 
 void KeptTraces::keep(const StudyRun& run, const Trace& trace) const {

@@ -37,9 +37,9 @@ std::string line_of_words(Dice& dice) {
 
 void draw_paragraph(Image& page, const Lettering& letters, int x, int y, std::uint32_t seed) {
   Dice dice(seed);
-  letters.write(page, "On " + line_of_words(dice).substr(0, 30), 38, x, y, page.width_px, heading);
+  letters.write(page, "On " + line_of_words(dice).substr(0, 30), 38, {x, y, page.width_px}, heading);
   for (int line = 1; line < lines_per_paragraph; ++line) {
-    letters.write(page, line_of_words(dice), letters_px, x, y + line * line_px, page.width_px, ink);
+    letters.write(page, line_of_words(dice), letters_px, {x, y + line * line_px, page.width_px}, ink);
   }
 }
 

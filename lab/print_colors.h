@@ -2,7 +2,7 @@
 
 /// The colours of figures on white paper, beside those of what they show.
 
-#include "render/canvas.h"
+#include "render/color.h"
 
 namespace proofreel {
 

@@ -1,7 +1,5 @@
 #include "lab/scorecard.h"
 
-#include <algorithm>
-
 #include "scenarios/runner.h"
 
 namespace proofreel {

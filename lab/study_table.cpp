@@ -1,8 +1,5 @@
 #include "lab/study_table.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "render/usage_error.h"
 
 namespace proofreel {
@@ -24,7 +21,8 @@ std::optional<double> per_simulated_s(const StudyResult& result) {
 
 std::optional<std::int64_t> count_in(const std::string& text) {
   const std::optional<double> number = number_in(text);
-  return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
+  const bool counts = number && *number >= 0 && *number < 9e15;  // whatever else became of the file
+  return counts ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
 }
 
 std::string engine_of(const StudiedMethod& method) {

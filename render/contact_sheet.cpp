@@ -1,7 +1,6 @@
 #include "render/contact_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "render/lettering.h"
@@ -38,10 +37,10 @@ struct SheetLayout {
   std::int64_t height() const { return head + std::int64_t{grid.rows} * (size.height_px + label + gap / 2) + gap / 2; }
 };
 
-void fill(Image& image, int left, int top, int width, int height, Color color) {
-  for (int y = top; y < top + height; ++y) {
-    std::uint8_t* pixel = image.row(y) + 4 * static_cast<std::size_t>(left);
-    for (int x = 0; x < width; ++x, pixel += 4) {
+void fill(Image& image, const PixelRect& rect, Color color) {
+  for (int y = rect.y_px; y < rect.y_px + rect.height_px; ++y) {
+    std::uint8_t* pixel = image.row(y) + 4 * static_cast<std::size_t>(rect.x_px);
+    for (int x = 0; x < rect.width_px; ++x, pixel += 4) {
       pixel[0] = color.r;
       pixel[1] = color.g;
       pixel[2] = color.b;
@@ -59,15 +58,15 @@ class ContactSheetSink final : public Sink {
         text_(std::move(text)),
         sheet_(Image::uncleared(static_cast<int>(layout.width()), static_cast<int>(layout.height()))) {
     const OutputFile removed_at_once(path_);  // an unwritable folder is to be found before anything is drawn
-    fill(sheet_, 0, 0, sheet_.width_px, sheet_.height_px, palette_.background);
-    const int room = sheet_.width_px - 2 * layout_.gap;
-    write(text_.title, layout_.title, layout_.gap, layout_.gap + layout_.title, room, palette_.ink);
+    fill(sheet_, {0, 0, sheet_.width_px, sheet_.height_px}, palette_.background);
+    const LetterLine line{layout_.gap, layout_.gap + layout_.title, sheet_.width_px - layout_.gap};
+    write(text_.title, layout_.title, line, palette_.ink);
   }
 
   void frame(const Image& image) override {
     const int column = static_cast<int>(taken_) % layout_.grid.columns;
     const int left = layout_.left(column), top = layout_.top(static_cast<int>(taken_) / layout_.grid.columns);
-    fill(sheet_, left - 1, top - 1, image.width_px + 2, image.height_px + 2, palette_.plate_edge);
+    fill(sheet_, {left - 1, top - 1, image.width_px + 2, image.height_px + 2}, palette_.plate_edge);
     for (int y = 0; y < image.height_px; ++y)
       std::memcpy(sheet_.row(top + y) + 4 * static_cast<std::size_t>(left), image.row(y), image.row_bytes());
     label(left, top + image.height_px + 3 * layout_.letters / 2);
@@ -85,20 +84,20 @@ class ContactSheetSink final : public Sink {
     const int time_width = letters_.width_px(time, size);
     const int room = layout_.size.width_px - time_width - size;
     const int time_left = name.empty() ? left : left + layout_.size.width_px - time_width;
-    if (!name.empty()) write(name, size, left, baseline, room, palette_.ink);
-    letters_.write(sheet_, time, size, time_left, baseline, sheet_.width_px, palette_.quiet_ink);
+    if (!name.empty()) write(name, size, {left, baseline, left + room}, palette_.ink);
+    letters_.write(sheet_, time, size, {time_left, baseline, sheet_.width_px}, palette_.quiet_ink);
   }
 
   /// On one line; what is too long ends in three dots.
-  void write(std::string text, int size_px, int left, int baseline, int room, Color color) {
+  void write(std::string text, int size_px, const LetterLine& line, Color color) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     const std::string whole = text;
-    for (std::size_t end = whole.size(); letters_.width_px(text, size_px) > room && end > 0;) {
+    for (std::size_t end = whole.size(); line.x_px + letters_.width_px(text, size_px) > line.end_px && end > 0;) {
       do --end;
       while (end > 0 && (static_cast<unsigned char>(whole[end]) & 0xC0U) == 0x80U);  // no half characters
       text = whole.substr(0, end) + "\u2026";
     }
-    letters_.write(sheet_, text, size_px, left, baseline, sheet_.width_px, color);
+    letters_.write(sheet_, text, size_px, {line.x_px, line.baseline_px, sheet_.width_px}, color);
   }
 
   std::string path_;

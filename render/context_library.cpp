@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-#include "render/context.h"
+#include "scenarios/environment_error.h"
 
 namespace proofreel {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "render/draw_layers.h"
 

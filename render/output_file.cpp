@@ -8,7 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "render/context.h"
+#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {

@@ -1,6 +1,7 @@
 #include "render/palette.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace proofreel {

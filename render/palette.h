@@ -2,7 +2,6 @@
 
 /// Films in 255 colours: which ones, and every pixel as one of them.
 
-#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>

@@ -7,11 +7,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "render/context.h"
 #include "render/output_file.h"
 #include "render/pixel_hash.h"
 #include "render/png.h"
 #include "render/video.h"
+#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {

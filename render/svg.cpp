@@ -1,7 +1,6 @@
 #include "render/svg.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "scenarios/formatted.h"
 

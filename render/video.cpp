@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
-#include "render/context.h"
 #include "render/output_file.h"
 #include "render/palette.h"
 #include "render/png.h"
 #include "render/video_encoder.h"
 #include "render/video_file.h"
+#include "scenarios/environment_error.h"
 
 namespace proofreel {
 namespace {
@@ -78,9 +77,7 @@ av::Writer writer_for(const OutputFile& file, const av::Encoder& encoder, const 
   return {file.temporary_path(),
           file.path(),
           layout,
-          *parameters,
-          context.time_base,
-          context.framerate,
+          {*parameters, context.time_base, context.framerate},
           is_fragmented ? std::vector<Chapter>{} : settings.chapters};
 }
 

@@ -53,9 +53,9 @@ void Writer::Close::operator()(AVFormatContext* p) const {
   avformat_free_context(p);
 }
 
-Writer::Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track,
-               AVRational time_base, AVRational frame_rate, const std::vector<Chapter>& chapters)
-    : name_(std::move(name)), time_base_(time_base) {
+Writer::Writer(const std::string& path, std::string name, Layout layout, const Track& track,
+               const std::vector<Chapter>& chapters)
+    : name_(std::move(name)), time_base_(track.time_base) {
   AVFormatContext* format = nullptr;
   const std::string ending = ending_of(name_);
   check(avformat_alloc_output_context2(&format, nullptr, container_name(ending).c_str(), path.c_str()),
@@ -63,13 +63,13 @@ Writer::Writer(const std::string& path, std::string name, Layout layout, const A
   format_.reset(format);
   AVStream* stream = avformat_new_stream(format, nullptr);
   check_allocated(stream);
-  check(avcodec_parameters_copy(stream->codecpar, &track), "write " + name_);
+  check(avcodec_parameters_copy(stream->codecpar, &track.parameters), "write " + name_);
   stream->codecpar->codec_tag = 0;  // containers number codecs differently
-  stream->time_base = time_base;
-  stream->avg_frame_rate = frame_rate;
+  stream->time_base = track.time_base;
+  stream->avg_frame_rate = track.frame_rate;
   check(avio_open(&format->pb, path.c_str(), AVIO_FLAG_WRITE), "write " + name_);
   set_up(*format, ending, layout);
-  add_chapters(*format, chapters, frame_rate);
+  add_chapters(*format, chapters, track.frame_rate);
   format->flags |= AVFMT_FLAG_FLUSH_PACKETS;  // nothing whole stays behind in memory when the program is killed
   check(avformat_write_header(format, nullptr), "write " + name_);
 }
@@ -94,7 +94,7 @@ void finish_mp4(const std::string& fragmented, const std::string& finished, cons
   const Input input = open_input(fragmented, name);
   if (input->nb_streams != 1) check(AVERROR_INVALIDDATA, "read back " + name);
   const AVStream& from = *input->streams[0];
-  Writer writer(finished, name, Layout::finished_mp4, *from.codecpar, from.time_base, from.avg_frame_rate, chapters);
+  Writer writer(finished, name, Layout::finished_mp4, {*from.codecpar, from.time_base, from.avg_frame_rate}, chapters);
   const Packet packet(av_packet_alloc());
   check_allocated(packet.get());
   std::int64_t start = AV_NOPTS_VALUE;

@@ -17,13 +17,19 @@ enum class Layout {
   finished_mp4     ///< index first, for players that start before all has loaded
 };
 
+/// A video track as containers describe it.
+struct Track {
+  const AVCodecParameters& parameters;
+  AVRational time_base;  ///< the unit packets count time in, s
+  AVRational frame_rate;
+};
+
 /// A container file with one video track.
 class Writer {
  public:
-  /// `path` is what is opened, `name` what errors call it and whose ending says which container it is. `time_base` is
-  /// the unit packets count time in.
-  Writer(const std::string& path, std::string name, Layout layout, const AVCodecParameters& track, AVRational time_base,
-         AVRational frame_rate, const std::vector<Chapter>& chapters);
+  /// `path` is what is opened, `name` what errors call it and whose ending says which container it is.
+  Writer(const std::string& path, std::string name, Layout layout, const Track& track,
+         const std::vector<Chapter>& chapters);
   void write(AVPacket& packet);
   /// Completes the file. Throws EnvironmentError when any byte did not reach the disk.
   void finish();

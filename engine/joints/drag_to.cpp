@@ -6,8 +6,6 @@
 /// end of the step, Catto 2011), and so is stable at any rate: with the point's mass matrix K the impulse solves
 /// (K + g 1) P = -(v + b e),  g = 1 / (h (c + h k)),  b = k / (c + h k),  k = m w^2, c = 2 m w.
 
-#include <cmath>
-
 #include "engine/joints/kinds.h"
 
 namespace proofreel {

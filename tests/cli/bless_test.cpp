@@ -204,7 +204,8 @@ TEST_CASE("A damaged golden.json fails the check by name, and blessing writes it
   write_text(c.golden("golden.json"), "{\"format\": 1,");
   const Outcome o = c.run({"check", "hard/ball"});
   REQUIRE(o.status == 1);
-  REQUIRE_THAT(o.out, Contains("golden.json is damaged"));
+  REQUIRE_THAT(o.out,
+               Contains("golden.json is damaged: line 1 is no JSON. Take it from the repository, or run bless."));
   REQUIRE(c.run({"bless"}).status == 0);
   REQUIRE(c.verdicts() == Words(4, "exact"));
 }
@@ -343,6 +344,34 @@ TEST_CASE("A scenario named twice is checked once", "[golden]") {
   const Outcome twice = c.run({"check", "hard/ball", "scenarios/hard/ball.lua", "--json"});
   REQUIRE(twice.status == 0);
   REQUIRE(Json::parse(twice.out).at("scenarios").size() == 1);
+}
+
+TEST_CASE("A folder in the place of golden.json or of its ticks is no reference", "[golden]") {
+  const BlessedCollection c;
+  fs::remove(c.golden("ticks.bin"));
+  fs::create_directory(c.golden("ticks.bin"));
+  REQUIRE(c.verdicts() == Words(4, "exact"));
+  fs::remove(c.golden("ticks.bin"));
+  fs::remove(c.golden("golden.json"));
+  fs::create_directory(c.golden("golden.json"));
+  const Outcome o = c.run({"check", "hard/ball"});
+  REQUIRE(o.status == 1);
+  REQUIRE_THAT(o.out, Contains("missing: there is no reference for this frame"));
+  const Outcome blessing = c.run({"bless"});
+  REQUIRE(blessing.status == 3);
+  REQUIRE_THAT(blessing.err, Contains("golden.json") && Contains("it is a folder"));
+}
+
+TEST_CASE("References that were moved together with their scenario are still its own", "[golden]") {
+  const BlessedCollection c;
+  fs::create_directories(c / "golden/images/soft");
+  fs::rename(c / "golden/images/hard/ball", c / "golden/images/soft/ball");
+  fs::create_directories(c / "scenarios/soft");
+  fs::rename(c / "scenarios/hard/ball.lua", c / "scenarios/soft/ball.lua");
+  REQUIRE(c.run({"check", "soft/ball"}).status == 0);
+  const Outcome o = c.run({"check", "soft/ball", "--set", "gravity={0,-5}"});
+  REQUIRE(o.status == 1);
+  REQUIRE_THAT(o.out, Contains("physics: since tick") && !Contains("missing") && !Contains("damaged"));
 }
 
 }  // namespace

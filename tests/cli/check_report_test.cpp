@@ -67,6 +67,10 @@ TEST_CASE("A report is refused before anything is run where it cannot be written
   REQUIRE(home.status == 2);
   REQUIRE_THAT(home.err, Contains("holds other things than a report"));
   REQUIRE(home.out.empty());
+  std::filesystem::create_directories(c / "odd/report.json");
+  const Outcome odd = c.run({"check", "--report", "odd"});
+  REQUIRE(odd.status == 2);
+  REQUIRE_THAT(odd.err, Contains("holds other things than a report"));
   REQUIRE(c.run({"check", "--junit", "nowhere/out.xml"}).status == 3);
 }
 

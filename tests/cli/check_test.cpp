@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 
-#include "golden/hex.h"
 #include "golden/json.h"
 #include "tests/cli/collection.h"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <catch2/catch.hpp>
+
 #include "tests/cli/program.h"
 #include "tests/render/scratch_folder.h"
 
@@ -32,6 +34,22 @@ inline std::string falling_ball(const std::string& extra = "") {
          "measure(\"y\", function() return ball:position().y end)\n"
          "reference(\"y\", function(t) return 5 - 0.5 * 9.81 * t * t end)\n" +
          extra;
+}
+
+/// Options, and what the sentence says that refuses them.
+using Refusals = std::vector<std::pair<std::vector<std::string>, std::string>>;
+
+/// Each of these options after `words` is wrong use: exit status 2, a sentence, and nothing on standard output.
+inline void require_refused(const Collection& c, const std::vector<std::string>& words, const Refusals& refusals) {
+  for (const auto& [options, sentence] : refusals) {
+    std::vector<std::string> arguments = words;
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome o = c.run(arguments);
+    CAPTURE(options, o.err);
+    REQUIRE(o.status == 2);
+    REQUIRE(o.out.empty());
+    REQUIRE_THAT(o.err, Catch::Matchers::Contains(sentence));
+  }
 }
 
 }  // namespace proofreel

@@ -1,9 +1,10 @@
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "golden/json.h"
 #include "render/png.h"
 #include "render/sink.h"
-#include "tests/cli/program.h"
+#include "tests/cli/collection.h"
 #include "tests/render/scratch_folder.h"
 #include "tests/render/test_image.h"
 
@@ -250,6 +251,38 @@ TEST_CASE("A clip is compared with a folder of its frames", "[cli]") {
   REQUIRE(p.diff({"frames", "a.mkv"}).status == 0);
   write_png(p / "frames/f10.png", PictureFolder::base());
   REQUIRE(p.json({"frames", "a.mkv"}).at("first_different") == 10);
+}
+
+TEST_CASE("A number of pixels that makes no sense is refused with the numbers that do", "[cli]") {
+  const Collection c;
+  const std::string sentence = "it is a whole number from 0 on, so not ";
+  require_refused(c, {"diff", "a.png", "b.png"},
+                  {{{"--max-different", "-1"}, "--max-different: " + sentence + "-1"},
+                   {{"--max-window", "0.5"}, "--max-window: " + sentence + "0.5"},
+                   {{"--max-window", "many"}, sentence + "many"}});
+}
+
+TEST_CASE("Smoothed edges count as different only with --include-aa", "[cli]") {
+  const ScratchFolder folder;
+  const auto edge = [](std::uint8_t gray) {
+    Image image = filled_image(20, 20, 0, 0, 0);
+    for (int y = 0; y < 20; ++y) {
+      std::fill_n(image.row(y) + 4 * 10, 4 * 10, std::uint8_t{255});
+      std::fill_n(image.row(y) + 4 * 9, 3, gray);
+    }
+    return image;
+  };
+  write_png(folder / "a.png", edge(90));
+  write_png(folder / "b.png", edge(190));
+  const auto counts = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"diff", "a.png", "b.png", "--max-bias", "255", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome o = proofreel_program(arguments, folder.path().string());
+    const Json json = Json::parse(o.out);
+    return std::tuple(o.status, json.at("different").get<int>(), json.at("antialiased").get<int>());
+  };
+  REQUIRE(counts({}) == std::tuple(0, 0, 20));
+  REQUIRE(counts({"--include-aa"}) == std::tuple(1, 20, 0));
 }
 
 }  // namespace

@@ -83,5 +83,40 @@ TEST_CASE("gallery tells apart what has one name in two folders, and takes every
   CHECK_THAT(page, !Contains("/engine/"));  // no project lies beside this folder
 }
 
+TEST_CASE("A contents.json that is broken is named, with the line and a way out in one sentence", "[cli]") {
+  Collection c;
+  c.write("ball", falling_ball());
+  const std::string form = "must be a list of chapters, {\"title\", \"about\", \"scenarios\": [ids]} each\n";
+  const auto no_json = [](int line) {
+    return "line " + std::to_string(line) +
+           " is no JSON: mend it, or put [] into the file, and all scenarios are in one " + "chapter\n";
+  };
+  const std::vector<std::pair<std::string, std::string>> broken{
+      {"", no_json(1)},
+      {"[{\"title\": \"a\",\n  \"about\": \"b\"\n  \"scenarios\": []}]", no_json(3)},
+      {"[\n{\"title\": \"\xff\"}]", no_json(2)},
+      {"{}", form},
+      {"[1]", form},
+      {"[{\"title\": \"a\", \"about\": \"b\", \"scenarios\": \"ball\"}]", form}};
+  for (const auto& [text, sentence] : broken) {
+    write_text(c / "scenarios/contents.json", text);
+    const Outcome o = c.run({"gallery", "-o", "out"});
+    CAPTURE(text);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Catch::Matchers::EndsWith("scenarios/contents.json: " + sentence));
+    CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+    CHECK_FALSE(std::filesystem::exists(c / "out"));
+  }
+}
+
+TEST_CASE("A folder in the place of contents.json is no contents", "[cli]") {
+  Collection c;
+  c.write("ball", falling_ball());
+  std::filesystem::create_directories(c / "scenarios/contents.json");
+  const Outcome o = c.run({"gallery", "-o", "out"});
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("There is no file") && Contains("contents.json"));
+}
+
 }  // namespace
 }  // namespace proofreel

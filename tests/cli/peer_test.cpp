@@ -140,7 +140,7 @@ TEST_CASE("A motion that becomes infinite, or a peer that gives up, ends with a 
 
 TEST_CASE("What makes no sense with a peer is refused", "[cli]") {
   const PeerCollection c;
-  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+  const Refusals wrong{
       {{"--peer", "havok"}, "There is no peer \"havok\": known are \"box2d\" and \"chipmunk\"."},
       {{"--peer", "Box2D"}, "There is no peer \"Box2D\""},
       {{"--peer"}, "--peer"},
@@ -152,16 +152,8 @@ TEST_CASE("What makes no sense with a peer is refused", "[cli]") {
       {{"--peer", "chipmunk", "--set", "method.precision=single"}, "Chipmunk has a method of its own"},
       {{"--peer", "box2d", "--set", "integrator=symplectic_euler"}, "leave out either this or --peer"},
       {{"--peer", "box2d", "--set", "effects={contacts}"}, "cannot leave out"}};
-  for (const auto& [options, sentence] : wrong) {
-    std::vector<std::string> arguments{"run", "ball"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome o = c.run(arguments);
-    CAPTURE(options, o.err);
-    REQUIRE(o.status == 2);
-    REQUIRE(o.out.empty());
-    REQUIRE_THAT(o.err, Contains(sentence));
-    REQUIRE_FALSE(std::filesystem::exists(c / "a.run"));
-  }
+  require_refused(c, {"run", "ball"}, wrong);
+  REQUIRE_FALSE(std::filesystem::exists(c / "a.run"));
   REQUIRE(c.run({"run", "ball", "--peer", "box2d", "--set", "duration=0.25"}).status == 0);
 }
 

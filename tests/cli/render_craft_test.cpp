@@ -185,5 +185,19 @@ TEST_CASE("A quality that there is none of is refused for every output", "[cli]"
   }
 }
 
+TEST_CASE("A film option with nothing after its = is refused, also where a default would serve", "[cli]") {
+  const FilmCollection c;
+  Refusals refusals;
+  for (const char* option :
+       {"--title-card", "--contact-sheet", "--stills", "--transparent", "--size", "--frames", "--layers", "--theme",
+        "--quality", "--preset", "--crf", "--shutter", "--fps", "--gl", "--threads", "--output"}) {
+    const std::string name = option;
+    refusals.push_back({{name + "="}, "There is nothing after \"" + name + "=\": write there what is meant"});
+    refusals.push_back({{name, ""}, "There is an empty word after \"" + name + "\": write there what is meant"});
+  }
+  require_refused(c, {"render", "ball", "-o", "a.mp4"}, refusals);
+  REQUIRE_FALSE(fs::exists(c / "a.mp4"));
+}
+
 }  // namespace
 }  // namespace proofreel

@@ -71,30 +71,21 @@ TEST_CASE("What cannot be saved or resumed is refused with the reason, and no fi
   c.write("other", falling_ball());
   REQUIRE(c.run({"run", "ball", "--save", "0.25:a.run"}).status == 0);
   std::ofstream(c / "text.run") << "hello";
-  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"--save", "1:b.run"}, "the run ends before that"},
-      {{"--save", "b.run"}, "--save takes T:FILE"},
-      {{"--save", "x:b.run"}, "--save takes T:FILE"},
-      {{"--save", "-1:b.run"}, "--save takes T:FILE"},
-      {{"--save", "nan:b.run"}, "--save takes T:FILE"},
-      {{"--save", "0.1:"}, "--save takes T:FILE"},
-      {{"--save", "0.1:b.run", "--save", "0.2:b.run"}, "twice"},
-      {{"--save", "0.1:b.run", "--resume", "a.run"}, "--save"},
-      {{"--resume", "none.run"}, "there is no such file"},
-      {{"--resume", "scenarios"}, "there is no such file"},
-      {{"--resume", "text.run"}, "it was not written by this program"},
-      {{"--resume", "a.run", "--set", "duration=1"}, "callbacks were not logged beyond t=0.5 s"},
-      {{"--resume", "a.run", "--set", "substeps=3"}, "saved with no --set"},
-      {{"--resume", "a.run", "--set", "duration=0.1"}, "after the end of this run"}};
-  for (const auto& [options, reason] : cases) {
-    std::vector<std::string> arguments{"run", "ball"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome o = c.run(arguments);
-    CAPTURE(options, o.err);
-    REQUIRE(o.status == 2);
-    REQUIRE(o.out.empty());
-    REQUIRE_THAT(o.err, Contains(reason));
-  }
+  const Refusals cases{{{"--save", "1:b.run"}, "the run ends before that"},
+                       {{"--save", "b.run"}, "--save takes T:FILE"},
+                       {{"--save", "x:b.run"}, "--save takes T:FILE"},
+                       {{"--save", "-1:b.run"}, "--save takes T:FILE"},
+                       {{"--save", "nan:b.run"}, "--save takes T:FILE"},
+                       {{"--save", "0.1:"}, "--save takes T:FILE"},
+                       {{"--save", "0.1:b.run", "--save", "0.2:b.run"}, "twice"},
+                       {{"--save", "0.1:b.run", "--resume", "a.run"}, "--save"},
+                       {{"--resume", "none.run"}, "there is no such file"},
+                       {{"--resume", "scenarios"}, "there is no such file"},
+                       {{"--resume", "text.run"}, "it was not written by this program"},
+                       {{"--resume", "a.run", "--set", "duration=1"}, "callbacks were not logged beyond t=0.5 s"},
+                       {{"--resume", "a.run", "--set", "substeps=3"}, "saved with no --set"},
+                       {{"--resume", "a.run", "--set", "duration=0.1"}, "after the end of this run"}};
+  require_refused(c, {"run", "ball"}, cases);
   REQUIRE_THAT(c.run({"run", "other", "--resume", "a.run"}).err, Contains("text is another one"));
   REQUIRE(c.run({"run", "ball", "--save", "0.1:none/b.run"}).status == 3);
   REQUIRE(files_beside(c) == 2);

@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <csignal>
 
 #include "golden/json.h"
 #include "tests/cli/collection.h"
@@ -182,6 +181,24 @@ TEST_CASE("Wrong use exits with 2 and says what is wrong on standard error", "[c
     REQUIRE_FALSE(o.err.empty());
     REQUIRE(o.out.empty());
   }
+}
+
+TEST_CASE("An option or a word with nothing in it is refused, and never counts as not given", "[cli]") {
+  const Collection c;
+  c.write("ball", falling_ball());
+  const std::string advice = ": write there what is meant, or leave it out.\n";
+  require_refused(c, {"run", "ball"},
+                  {{{"--csv="}, "There is nothing after \"--csv=\"" + advice},
+                   {{"--csv", ""}, "There is an empty word after \"--csv\"" + advice},
+                   {{"--json="}, "nothing after \"--json=\""},
+                   {{"--resume", ""}, "empty word after \"--resume\""},
+                   {{"--set=", "--quiet"}, "nothing after \"--set=\""},
+                   {{""}, "empty word after \"ball\""}});
+  require_refused(c, {"check"},
+                  {{{"--hash-only", "--golden", ""}, "empty word after \"--golden\""},
+                   {{"--junit="}, "nothing after \"--junit=\""},
+                   {{"--report", ""}, "empty word after \"--report\""}});
+  require_refused(c, {"list"}, {{{""}, "empty word after \"list\""}});
 }
 
 }  // namespace

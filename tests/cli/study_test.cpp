@@ -161,12 +161,25 @@ TEST_CASE("What a study cannot do is refused in a sentence, and leaves nothing b
     for (int i = 1; i <= count; ++i) text += (i > 1 ? "," : "") + std::to_string(i);
     return text;
   };
-  const std::vector<std::string> many{"study",  "swing",
-                                      "--vary", "contact_hz=" + values(40),
-                                      "--vary", "substeps=" + values(16),
-                                      "--vary", "rate=" + values(20),
-                                      "-o",     "x"};
+  std::vector<std::string> many{"study",  "swing",
+                                "--vary", "contact_hz=" + values(40),
+                                "--vary", "substeps=" + values(16),
+                                "--vary", "rate=" + values(20),
+                                "-o",     "x"};
   refused(many, "say --yes");
+  many[1] = "mute";
+  refused(many, "say --yes");
+  many.emplace_back("--yes");
+  refused(many, "measures nothing");
+}
+
+TEST_CASE("A folder in the place of a study's table is an error of the environment that names it", "[study]") {
+  const Collection c;
+  c.write("swing", known_swing());
+  std::filesystem::create_directories(c / "x/study.csv");
+  const Outcome o = c.run({"study", "swing", "--vary", "rate=60,120", "-o", "x"});
+  REQUIRE(o.status == 3);
+  REQUIRE_THAT(o.err, Contains("Cannot write") && Contains("study.csv: it is a folder."));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Continuous collision: what is fast does not get through what is thin.
 
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include "engine/rot.h"
 #include "tests/engine/random.h"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/elementary.h"
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "engine/scene.h"
 #include "tests/engine/random.h"

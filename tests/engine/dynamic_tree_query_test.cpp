@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <limits>
 
 #include "engine/dynamic_tree.h"

@@ -1,7 +1,6 @@
 #include "engine/dynamic_tree.h"
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <limits>
 
 #include "tests/engine/checked_tree.h"

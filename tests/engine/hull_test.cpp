@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "tests/engine/outlines.h"
 

@@ -2,7 +2,6 @@
 // its way.
 
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include "tests/engine/scenes.h"
 

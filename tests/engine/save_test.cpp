@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "engine/scene_archive.h"
 #include "tests/engine/random.h"

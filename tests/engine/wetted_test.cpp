@@ -1,7 +1,6 @@
 #include "engine/wetted.h"
 
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include "engine/elementary.h"
 #include "engine/mass.h"

@@ -10,6 +10,8 @@
 #include "engine/collide_gjk.h"
 #include "engine/decompose.h"
 #include "engine/dynamic_tree.h"
+#include "engine/outline.h"
+#include "engine/polygon.h"
 #include "engine/seam.h"
 #include "engine/simulation.h"
 #include "engine/time_of_impact.h"

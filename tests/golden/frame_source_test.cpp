@@ -1,6 +1,5 @@
 #include "golden/frame_source.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "golden/diff_folders.h"

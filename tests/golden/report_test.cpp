@@ -38,7 +38,8 @@ TEST_CASE("A report written as JSON reads back as it was", "[report]") {
 TEST_CASE("What is no report, unfinished or damaged is refused with a sentence", "[report]") {
   REQUIRE_THROWS_WITH(report_from_json("{}", "x.json"), Contains("x.json is not the report of a check"));
   REQUIRE_THROWS_WITH(report_from_json("[]", "x.json"), Contains("not the report"));
-  REQUIRE_THROWS_WITH(report_from_json("{", "x.json"), Contains("x.json is damaged"));
+  REQUIRE_THROWS_WITH(report_from_json("{", "x.json"),
+                      "x.json is damaged: line 1 is no JSON; let check write that report again.");
   REQUIRE_THROWS_WITH(report_from_json("{\"format\": 1, \"kind\": \"proofreel report\"}", "x"), Contains("unfinished"));
   REQUIRE_THROWS_WITH(report_from_json("{\"format\": 2, \"kind\": \"proofreel report\"}", "x"), Contains("format 2"));
   REQUIRE_THROWS_AS(report_from_json("{\"format\": 1, \"kind\": \"proofreel report\", \"entries\": 3}", "x"),

@@ -126,10 +126,22 @@ TEST_CASE("Hashes are written as 16 hex digits", "[store]") {
 TEST_CASE("A golden file that is cut, of other format or without a key is refused by name", "[store]") {
   const std::string text = to_json_text(example());
   REQUIRE_THROWS_WITH(golden_from_json(text.substr(0, text.size() / 2), "g.json"), Contains("g.json is damaged"));
-  REQUIRE_THROWS_WITH(golden_from_json("", "g.json"), Contains("g.json"));
+  REQUIRE_THROWS_WITH(golden_from_json("", "g.json"), "g.json is damaged: line 1 is no JSON.");
+  REQUIRE_THROWS_WITH(golden_from_json("{\n\n1}", "g.json"), "g.json is damaged: line 3 is no JSON.");
   REQUIRE_THROWS_WITH(golden_from_json("{\"format\": 2}", "g.json"), Contains("format 2"));
-  REQUIRE_THROWS_WITH(golden_from_json("{\"format\": 1}", "g.json"), Contains("g.json is damaged"));
-  REQUIRE_THROWS_WITH(golden_from_json("[]", "g.json"), Contains("g.json is damaged"));
+  const std::string wrong = "g.json is damaged: a key in it is missing or has a value of the wrong kind.";
+  REQUIRE_THROWS_WITH(golden_from_json("{\"format\": 1}", "g.json"), wrong);
+  REQUIRE_THROWS_WITH(golden_from_json("[]", "g.json"), wrong);
+}
+
+TEST_CASE("A golden file with a size that no picture has is refused", "[store]") {
+  for (const char* width : {"-1", "16385", "1e300", "480.5", "\"480\""}) {
+    std::string text = to_json_text(example());
+    text.replace(text.find("480"), 3, width);
+    CAPTURE(width);
+    REQUIRE_THROWS_WITH(golden_from_json(text, "g.json"),
+                        "g.json is damaged: width_px and height_px are whole numbers up to 16384.");
+  }
 }
 
 TEST_CASE("A tolerance without a reason, or out of range, is refused", "[store]") {
@@ -153,6 +165,7 @@ TEST_CASE("A store finds its scenarios, and the pictures no frame uses", "[store
   write_text(store.folder("hard/stack") / "frame_00060.owners.png", "x");
   REQUIRE(store.ids() == std::vector<std::string>{"a", "hard/stack"});
   REQUIRE(store.load("hard/stack")->ticks == 1200);
+  REQUIRE(store.load("a")->scenario == "a");  // whatever it was called when it was written
   const auto orphans = store.orphan_files(example());
   REQUIRE(orphans.size() == 1);
   REQUIRE(orphans[0].filename() == "frame_00061.png");

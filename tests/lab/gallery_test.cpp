@@ -70,7 +70,7 @@ TEST_CASE("Contents that cannot be are refused with a sentence that names the fi
   CHECK_THROWS_WITH(chapters_of("[1]"), Contains("must be a list of chapters"));
   CHECK_THROWS_WITH(chapters_of("{}"), Contains("must be a list of chapters"));
   CHECK_THROWS_WITH(chapters_of("null"), Contains("must be a list of chapters"));
-  CHECK_THROWS_WITH(chapters_of("["), Contains("this is no JSON"));
+  CHECK_THROWS_WITH(chapters_of("["), Contains("line 1 is no JSON"));
   const ScratchFolder empty;
   CHECK_THROWS_WITH(gallery_chapters(empty.path(), ids),
                     Catch::StartsWith("There is no ") && Contains("contents.json"));

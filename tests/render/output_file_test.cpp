@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/context.h"
+#include "scenarios/environment_error.h"
 #include "tests/render/scratch_folder.h"
 
 namespace proofreel {

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/context.h"
 #include "render/pixel_hash.h"
 #include "render/png.h"
+#include "scenarios/environment_error.h"
 #include "tests/render/scratch_folder.h"
 #include "tests/render/test_image.h"
 

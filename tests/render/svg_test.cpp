@@ -2,7 +2,6 @@
 
 #include "render/svg.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "render/draw.h"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "render/context.h"
+#include "scenarios/environment_error.h"
 #include "tests/render/decoded_film.h"
 #include "tests/render/scratch_folder.h"
 #include "tests/render/test_image.h"

@@ -1,29 +1,12 @@
 #include "scenarios/film.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scene_text.h"
+#include "moving_disc.h"
 
 using namespace proofreel;
 using Catch::Contains;
-
-namespace {
-
-FakeRun run(const std::string& text) {
-  return FakeRun(
-      "scenario{duration=10, rate=100, fps=50, view={center={0, 5}, height=10}}\n"
-      "local b = body{velocity={1, 0}, mass=2, shape=circle{radius=0.5}}\n" +
-      text);
-}
-
-Frame frame_at(FakeRun& r, std::int64_t tick) {
-  r.until(tick);
-  return r.runner->frame(7);
-}
-
-}  // namespace
 
 TEST_CASE("A frame holds the snapshot of its moment") {
   auto r = run("");

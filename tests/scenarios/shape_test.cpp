@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 
 #include "engine/mass.h"
 #include "engine/polygon.h"
