@@ -8,7 +8,7 @@
 #include "cli/render_options.h"
 #include "cli/scenario_files.h"
 #include "render/video.h"
-#include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/observer.h"
-#include "engine/outline.h"
 #include "engine/predicates.h"
 #include "engine/vec2.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "golden/hex.h"
+#include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {

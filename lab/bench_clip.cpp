@@ -6,7 +6,7 @@
 #include "lab/bench.h"
 #include "lab/bench_process.h"
 #include "render/film.h"
-#include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {

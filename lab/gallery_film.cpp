@@ -7,8 +7,8 @@
 #include "lab/gallery.h"
 #include "render/output_file.h"
 #include "render/png.h"
-#include "scenarios/runner.h"
 #include "scenarios/source.h"
+#include "scenarios/timeline.h"
 
 namespace proofreel {
 namespace {

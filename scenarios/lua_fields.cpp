@@ -172,12 +172,4 @@ std::optional<std::size_t> Fields::choice(const char* key, std::span<const Name>
   return static_cast<std::size_t>(name - names.data());
 }
 
-std::size_t name_index(const std::string& what, const std::string& text, std::span<const Name> names) {
-  const Name* name = find_name(text, names);
-  if (name == nullptr) {
-    throw Problem("unknown " + what + " " + quote(text) + "; known are " + quoted_list(texts_of(names)));
-  }
-  return static_cast<std::size_t>(name - names.data());
-}
-
 }  // namespace proofreel

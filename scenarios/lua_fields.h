@@ -75,7 +75,4 @@ class Fields {
   const std::vector<ParsedOverride>* overrides_ = nullptr;
 };
 
-/// The index of `name` among `names`; throws a Problem with the valid ones. `what` is "layer".
-std::size_t name_index(const std::string& what, const std::string& name, std::span<const Name> names);
-
 }  // namespace proofreel

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/mass.h"
-#include "engine/polygon.h"
+#include "engine/outline.h"
 #include "scenarios/lua_model.h"
 #include "scenarios/lua_values.h"
 #include "scenarios/lua_words.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "scenarios/lua_bodies.h"
 #include "scenarios/lua_values.h"

@@ -1,7 +1,5 @@
 // The word `pane`: a split screen of scenes that differ in a few keys of `scenario{}`.
 
-#include <algorithm>
-
 #include "scenarios/lua_fields.h"
 #include "scenarios/lua_model.h"
 #include "scenarios/lua_values.h"

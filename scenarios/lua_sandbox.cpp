@@ -85,6 +85,7 @@ void Sandbox::start_turn() {
 }
 
 void Sandbox::compile(const std::string& path, const std::string& text) {
+  if (text.starts_with(LUA_SIGNATURE)) throw Problem("a compiled file cannot be run: give its Lua source");
   sources_.push_back({path, text});
   // Lua puts the chunk's name before its messages. A short token survives its shortening of long names; the path takes
   // its place at the end.

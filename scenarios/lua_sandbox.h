@@ -34,7 +34,7 @@ class Problem : public std::runtime_error {
 
 class Sandbox {
  public:
-  /// `client` is what words find through `client_of`.
+  /// `client` is what words find through `client()`.
   Sandbox(std::string path, void* client);
   ~Sandbox();
   Sandbox(const Sandbox&) = delete;

@@ -8,6 +8,7 @@
 
 #include "engine/decompose.h"
 #include "engine/elementary.h"
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "engine/pose.h"
 #include "scenarios/lua_values.h"

@@ -2,7 +2,6 @@
 
 /// How values cross between C++ and scripts: vectors, handles, and words for values in messages.
 
-#include <cstdint>
 #include <lua.hpp>
 #include <optional>
 #include <string>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "scenarios/examiner.h"
 #include "scenarios/film.h"
 #include "scenarios/formatted.h"
 #include "scenarios/recorder.h"
@@ -28,12 +28,6 @@ class Binding {
   Script& script_;
 };
 
-void add_sample(MeasureResult& result, double value, bool first) {
-  result.final = value;
-  result.min = first ? value : std::min(result.min, value);
-  result.max = first ? value : std::max(result.max, value);
-}
-
 /// What simulations find out only when asked, since it takes a look at every body.
 void ask_for_what_is_drawn(const Picture& picture, Simulation& simulation) {
   const bool forces = std::any_of(picture.vectors.begin(), picture.vectors.end(), [](const VectorMark& mark) {
@@ -53,10 +47,6 @@ std::string sentence(const Scenario& scenario, const Failure& failure) {
          "; use smaller forces or stiffness, or a higher rate";
 }
 
-std::string in_pane(const Scenario& pane, const std::string& name) {
-  return pane.pane_title.empty() ? name : pane.pane_title + ": " + name;
-}
-
 void add(const Energy& more, Energy& energy) {
   energy.kinetic += more.kinetic;
   energy.potential += more.potential;
@@ -72,19 +62,6 @@ void must_be_one_scene(const Scenario& scenario) {
                       " side by side: put what a pane{...} of it holds into scenario{...} of a file of its own");
 }
 
-std::vector<std::string> measure_names(const Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const Measure& measure : scenario.measures) names.push_back(in_pane(scenario, measure.name));
-  for (const auto& pane : scenario.other_panes) {
-    for (const Measure& measure : pane->measures) names.push_back(in_pane(*pane, measure.name));
-  }
-  return names;
-}
-
-bool RunReport::all_held() const {
-  return !failure && std::none_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.failed(); });
-}
-
 struct Runner::Impl {
   Impl(Scenario& owner, std::unique_ptr<Simulation> stepped)
       : scenario(owner),
@@ -92,12 +69,8 @@ struct Runner::Impl {
         binding(std::in_place, *scenario.script, *simulation),
         last_tick(scenario.ticks()),
         recorder(scenario),
+        examiner(scenario, last_tick),
         energy_watch(scenario.scene.gravity, scenario.picture.view.height) {
-    for (const Measure& measure : scenario.measures)
-      report.measures.push_back({in_pane(scenario, measure.name), 0, 0, 0, {}, {}});
-    for (const Expectation& expectation : scenario.expectations)
-      report.expectations.push_back({in_pane(scenario, expectation.text), true, 0, {}});
-    looked_at.resize(scenario.expectations.size());
     ask_for_what_is_drawn(scenario.picture, *simulation);
     report.scenario = scenario.id;
     for (const auto& pane : scenario.other_panes) others.push_back(std::make_unique<Runner>(*pane));
@@ -118,15 +91,7 @@ struct Runner::Impl {
     if (problem || simulation->tick() != run.tick)
       throw ScenarioError(file + " cannot be resumed: the state in it " + problem.value_or("contradicts itself"));
     for (const Command& command : run.made) scenario.script->adopt(command);
-    for (std::size_t i = 0; i < run.expectations.size(); ++i) {
-      const SavedExpectation& saved = run.expectations[i];
-      report.expectations[i].held = saved.held;
-      report.expectations[i].tick = saved.tick;
-      report.expectations[i].unknown_for = is_settled(i, run) ? std::string() : saved.changed_variable;
-      looked_at[i] = saved.looked_at;
-    }
-    for (std::size_t i = 0; i < run.changed_variables.size(); ++i)
-      report.measures[i].unknown_for = run.changed_variables[i];
+    examiner.take_up(run);
     report.initial_energy = run.initial_energy;
     energy_watch.start_from(report.initial_energy.total());
     recorder.note_energy(report.initial_energy);
@@ -134,14 +99,6 @@ struct Runner::Impl {
     report.resumed_at = run.tick;
     replay.emplace(run, file);
     look();
-  }
-
-  /// Whether nothing that is still to come can change how an expectation of a saved run stood.
-  bool is_settled(std::size_t i, const SavedRun& run) const {
-    const Expectation& expectation = scenario.expectations[i];
-    const bool over =
-        expectation.when == Expectation::When::at && tick_at(expectation.at, scenario.scene.rate) <= run.tick;
-    return !run.expectations[i].held || (over && run.expectations[i].looked_at);
   }
 
   bool finished() const { return simulation->tick() >= last_tick || failed() != nullptr; }
@@ -204,21 +161,16 @@ struct Runner::Impl {
     if (sampled) {
       if (!replay) recorder.sample_plots(tick);
       book_energy();
-      samples.push_back({tick, {}});
     }
-    for (std::size_t i = 0; i < scenario.measures.size(); ++i) look_at_measure(i, tick, sampled);
-    if (sampled) take_samples_of_others();
-    for (std::size_t i = 0; i < scenario.expectations.size(); ++i) look_at_expectation(i, tick);
+    examiner.look_at_measures(tick, sampled, saver_or_null());
+    if (sampled) {
+      for (const auto& other : others) examiner.add_last_sample_of(other->samples());
+    }
+    examiner.look_at_expectations(tick, saver_or_null());
     if (saver && saver->wants(tick)) saver->keep(as_it_is());
   }
 
-  void take_samples_of_others() {
-    std::vector<double>& values = samples.back().values;
-    for (const auto& other : others) {
-      const std::vector<double>& theirs = other->samples().back().values;
-      values.insert(values.end(), theirs.begin(), theirs.end());
-    }
-  }
+  RunSaver* saver_or_null() { return saver ? &*saver : nullptr; }
 
   std::uint64_t hash_of_all() const {
     std::uint64_t hash = report.trajectory_hash;
@@ -232,8 +184,7 @@ struct Runner::Impl {
     run.state = simulation->save();
     run.trajectory_hash = report.trajectory_hash;
     run.initial_energy = report.initial_energy;
-    for (std::size_t i = 0; i < looked_at.size(); ++i)
-      run.expectations.push_back({report.expectations[i].held, looked_at[i], report.expectations[i].tick, {}});
+    run.expectations = examiner.to_be_saved();
     return run;
   }
 
@@ -246,58 +197,18 @@ struct Runner::Impl {
     recorder.note_energy(now);
   }
 
-  void look_at_measure(std::size_t i, std::int64_t tick, bool sampled) {
-    const int index = static_cast<int>(i);
-    if (!report.measures[i].unknown_for.empty()) {
-      if (sampled) samples.back().values.push_back(std::numeric_limits<double>::quiet_NaN());
-      return;
-    }
-    if (saver && sampled) saver->watch(ScriptFunction::measure, index, tick);
-    const auto reference = scenario.script->reference(index, tick);
-    if (!sampled && !reference) return;
-    if (saver && !sampled) saver->watch(ScriptFunction::measure, index, tick);
-    const double value = scenario.script->measure(index);
-    MeasureResult& result = report.measures[i];
-    if (sampled) {
-      samples.back().values.push_back(value);
-      add_sample(result, value, samples.size() == 1);
-    }
-    if (reference) result.max_error = std::max(result.max_error.value_or(0), std::abs(value - *reference));
-  }
-
-  bool is_due(const Expectation& expectation, std::int64_t tick) const {
-    switch (expectation.when) {
-      case Expectation::When::always:
-        return true;
-      case Expectation::When::at:
-        return tick_at(expectation.at, scenario.scene.rate) == tick;
-      case Expectation::When::finally:
-        return tick == last_tick;
-    }
-    return false;
-  }
-
-  void look_at_expectation(std::size_t i, std::int64_t tick) {
-    ExpectationResult& result = report.expectations[i];
-    if (!result.held || !result.unknown_for.empty() || !is_due(scenario.expectations[i], tick)) return;
-    if (saver) saver->watch(ScriptFunction::expectation, static_cast<int>(i), tick);
-    result.held = scenario.script->expectation(static_cast<int>(i));
-    result.tick = tick;
-    looked_at[i] = true;
-  }
-
-  /// After a failure of a simulation, what was never looked at has not held.
-  void give_up() {
-    for (std::size_t i = 0; i < looked_at.size(); ++i) {
-      if (!looked_at[i])
-        report.expectations[i] = {in_pane(scenario, scenario.expectations[i].text), false, simulation->tick(), {}};
-    }
+  /// What is known of this pane by now, but for what is found out at the end.
+  RunReport report_so_far() const {
+    RunReport now = report;
+    now.measures = examiner.measures();
+    now.expectations = examiner.expectations();
+    return now;
   }
 
   /// What another pane reports at the end. Where one has failed, none is stepped on.
   void add_report_of(Runner& other, bool over, RunReport& whole) {
-    if (over) other.impl_->give_up();
-    const RunReport pane = over ? other.impl_->report : other.finish();
+    if (over) other.impl_->examiner.give_up(other.tick());
+    const RunReport pane = over ? other.impl_->report_so_far() : other.finish();
     whole.state_hash = chained_hash(whole.state_hash, other.simulation().state_hash());
     whole.measures.insert(whole.measures.end(), pane.measures.begin(), pane.measures.end());
     whole.expectations.insert(whole.expectations.end(), pane.expectations.begin(), pane.expectations.end());
@@ -312,10 +223,9 @@ struct Runner::Impl {
   std::optional<Binding> binding;
   std::int64_t last_tick;
   Recorder recorder;
+  Examiner examiner;
   EnergyWatch energy_watch;
-  RunReport report;
-  std::vector<Sample> samples;
-  std::vector<bool> looked_at;                  ///< expectations
+  RunReport report;                             ///< without what the examiner knows
   std::optional<RunSaver> saver;                ///< of a run that is to be saved
   std::optional<Replay> replay;                 ///< of a run that was
   std::vector<std::unique_ptr<Runner>> others;  ///< of Scenario::other_panes
@@ -355,7 +265,7 @@ bool Runner::finished() const { return impl_->finished(); }
 std::int64_t Runner::tick() const { return impl_->simulation->tick(); }
 std::uint64_t Runner::trajectory_hash() const { return impl_->hash_of_all(); }
 const Simulation& Runner::simulation() const { return *impl_->simulation; }
-const std::vector<Sample>& Runner::samples() const { return impl_->samples; }
+const std::vector<Sample>& Runner::samples() const { return impl_->examiner.samples(); }
 
 Frame Runner::frame(std::int64_t index) const {
   Snapshot snapshot;
@@ -386,10 +296,10 @@ RunReport Runner::finish(const std::function<void()>& after_tick) {
     if (impl_->advance() && after_tick) after_tick();
   }
   const Impl* failed = impl_->failed();
-  if (failed != nullptr) impl_->give_up();
+  if (failed != nullptr) impl_->examiner.give_up(tick());
   if (impl_->replay && impl_->replay->ended_elsewhere(*impl_->simulation, impl_->report.trajectory_hash))
     impl_->scenario.warnings.push_back("the motion is not that of the saved run: the program has changed since");
-  RunReport report = impl_->report;
+  RunReport report = impl_->report_so_far();
   report.energy_grew = impl_->energy_watch.growth();
   if (report.energy_grew) impl_->scenario.warnings.push_back(sentence(*report.energy_grew, impl_->scenario.scene.rate));
   report.ticks = impl_->simulation->tick();

@@ -23,6 +23,10 @@ std::string in_file(const Scenario& scenario);
 /// round(i * rate / fps), and at the last tick.
 bool is_sample_tick(const Scenario& scenario, std::int64_t tick);
 
+/// The tick each film frame shows: every rate / fps ticks, more densely under slow motion. Throws ScenarioError, naming
+/// the nearest rates that work, when that is not a whole number.
+std::vector<std::int64_t> film_timeline(const Scenario& scenario);
+
 /// The tick one more frame after the last would show: from the last frame's tick to it lies what that frame stands for.
 std::int64_t film_end(const Scenario& scenario);
 

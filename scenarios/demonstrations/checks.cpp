@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "scenarios/demonstrations/stack.h"
 #include "scenarios/demonstrations/storyboard.h"

@@ -1,6 +1,7 @@
 // Outlines: convex or concave by the diagonals of a quadrilateral and by a walk along the edges (thesis figures 3.4 and
 // 3.5), and the centroid by triangulation with signed areas (figure 3.9).
 
+#include "engine/outline.h"
 #include "engine/polygon.h"
 #include "scenarios/demonstrations/algorithms.h"
 #include "scenarios/demonstrations/storyboard.h"

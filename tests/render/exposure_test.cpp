@@ -4,7 +4,7 @@
 
 #include "render/draw.h"
 #include "render/usage_error.h"
-#include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 #include "tests/render/painted.h"
 #include "tests/render/sample_frame.h"
 #include "tests/render/scratch_folder.h"

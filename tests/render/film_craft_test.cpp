@@ -5,7 +5,7 @@
 #include "render/film.h"
 #include "render/png.h"
 #include "render/subtitles.h"
-#include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 #include "tests/render/scratch_folder.h"
 
 namespace proofreel {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "render/pixel_hash.h"
-#include "scenarios/runner.h"
+#include "scenarios/timeline.h"
 #include "tests/render/scratch_folder.h"
 
 namespace proofreel {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "scenarios/timeline.h"
 #include "scene_text.h"
 
 using namespace proofreel;
