@@ -55,10 +55,6 @@ Vec2 relative_velocity(const Mover& a, const Mover& b, const ConstraintPoint& p)
   return b.velocity_at(p.arm_b) - a.velocity_at(p.arm_a);
 }
 
-void look_at_gaps(ContactConstraint& c, const Motion& a, const Motion& b) {
-  for (int k = 0; k < c.count; ++k) c.points[k].separation = separation_of(c, c.points[k], a, b);
-}
-
 /// Sweeps work on copies, which stay in registers from row to row.
 void take_speeds(Motion& motion, const Mover& from) {
   motion.velocity = from.velocity;
@@ -243,28 +239,37 @@ void ContactSolver::add_share(std::vector<Motion>& motions, real share) {
   rolling_.add_share(motions, share);
 }
 
+/// What is apart may come as close as touching, and no closer.
+template <ContactSolver::Push push>
+[[gnu::always_inline]] inline void ContactSolver::look_at_gaps(ContactConstraint& c, const Motion& a, const Motion& b,
+                                                               real h) const {
+  for (int k = 0; k < c.count; ++k) {
+    ConstraintPoint& p = c.points[k];
+    const real separation = separation_of(c, p, a, b);
+    p.bias = 0;
+    if (separation > 0) {
+      p.bias = separation / h;
+    } else if constexpr (push == Push::softly) {
+      p.bias = std::max(softness_.bias_rate * separation, -c.push_speed);
+    } else if constexpr (push == Push::at_once) {
+      p.bias = std::max(baumgarte / h * std::min(separation + slop * c.length, real(0)), -c.push_speed);
+    }
+  }
+}
+
 // Left to itself the compiler stops inlining this when there are several kinds of sweep: 6 % more instructions.
 template <ContactSolver::Push push>
 [[gnu::always_inline]] inline void ContactSolver::solve_normal(const ContactConstraint& c, ConstraintPoint& p, Mover& a,
-                                                               Mover& b, real h) const {
-  const real separation = p.separation;
-  real bias = 0;
-  real mass_scale = 1;
-  real impulse_scale = 0;
-  if (separation > 0) {
-    bias = separation / h;  // may come as close as touching, and no closer
-  } else if constexpr (push == Push::softly) {
-    bias = std::max(softness_.bias_rate * separation, -c.push_speed);
-    mass_scale = softness_.mass_scale;
-    impulse_scale = softness_.impulse_scale;
-  } else if constexpr (push == Push::at_once) {
-    bias = std::max(baumgarte / h * std::min(separation + slop * c.length, real(0)), -c.push_speed);
-  }
+                                                               Mover& b) const {
+  const bool apart = p.bias > 0;
+  const bool soft = push == Push::softly && !apart;
+  const real mass_scale = soft ? softness_.mass_scale : real(1);
+  const real impulse_scale = soft ? softness_.impulse_scale : real(0);
   const real approach = dot(relative_velocity(a, b, p), c.normal);
-  const real change = -p.normal_mass * mass_scale * (approach + bias) - impulse_scale * p.normal_impulse;
+  const real change = -p.normal_mass * mass_scale * (approach + p.bias) - impulse_scale * p.normal_impulse;
   real impulse = std::max(p.normal_impulse + change, real(0));
   // What has not arrived yet must not be braked when speeds are relaxed: the next substep will, or bounces it.
-  if (push == Push::back && separation > 0) impulse = std::min(impulse, p.normal_impulse);
+  if (push == Push::back && apart) impulse = std::min(impulse, p.normal_impulse);
   push_apart(a, b, p, (impulse - p.normal_impulse) * c.normal);
   p.normal_impulse = impulse;
 }
@@ -281,10 +286,10 @@ template <ContactSolver::Push push, ContactSolver::Look look, bool friction, boo
     if (c.exact) continue;
     Motion& motion_a = motions[c.body_a];
     Motion& motion_b = motions[c.body_b];
-    if constexpr (look == Look::anew) look_at_gaps(c, motion_a, motion_b);
+    if constexpr (look == Look::anew) look_at_gaps<push>(c, motion_a, motion_b, h);
     Mover a = motion_a;
     Mover b = motion_b;
-    for (int k = 0; k < c.count; ++k) solve_normal<push>(c, c.points[k], a, b, h);
+    for (int k = 0; k < c.count; ++k) solve_normal<push>(c, c.points[k], a, b);
     if constexpr (friction) {
       real wanted_slip = 0;
       if constexpr (moving) wanted_slip = surface_speeds_[at];

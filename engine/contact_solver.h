@@ -36,7 +36,7 @@ struct ConstraintPoint {
   real base_separation = 0;  ///< separation less the part that the moving arms account for
   real normal_mass = 0;      ///< effective mass along the normal
   real tangent_mass = 0;
-  real separation = 0;      ///< m, as the last sweep has found it that looked
+  real bias = 0;  ///< how fast the gap may close, m/s, as the last sweep has found it that looked; negative: is to open
   real normal_impulse = 0;  ///< of this substep so far
   real tangent_impulse = 0;
   real warm_normal = 0;  ///< of the substep before: where this one starts from
@@ -138,7 +138,7 @@ class ContactSolver {
   /// How a sweep treats overlap: it is driven out by a spring, or a part of it at once, or not by this sweep; or the
   /// sweep takes back what another one has pushed too much.
   enum class Push : std::uint8_t { softly, at_once, never, back };
-  /// Whether a sweep looks how far points are apart, or is told by the one before it: velocities move no body.
+  /// Whether a sweep looks how far points are apart, or knows it from the one before it: velocities move no body.
   enum class Look : std::uint8_t { anew, known };
 
   template <Push push, Look look, typename Observer = NoObserver>
@@ -149,7 +149,9 @@ class ContactSolver {
   template <Push push, Look look, bool friction, bool moving, typename Observer>
   void sweep_all(std::vector<Motion>& motions, real h, Observer observer);
   template <Push push>
-  void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Mover& a, Mover& b, real h) const;
+  void look_at_gaps(ContactConstraint& c, const Motion& a, const Motion& b, real h) const;
+  template <Push push>
+  void solve_normal(const ContactConstraint& c, ConstraintPoint& p, Mover& a, Mover& b) const;
 
   ContactMethod method_;
   std::vector<ContactConstraint> constraints_;
