@@ -86,7 +86,8 @@ TEST_CASE("What could reach out of the sandbox is not there and says so") {
 }
 
 TEST_CASE("Bytecode is refused") {
-  CHECK_THAT(error_of(std::string("\x1bLua\x54\0\x19\x93\r\n", 10)), Contains("a compiled file cannot be run: give its Lua source"));
+  CHECK_THAT(error_of(std::string("\x1bLua\x54\0\x19\x93\r\n", 10)),
+             Contains("a compiled file cannot be run: give its Lua source"));
   CHECK(is_true("string.dump == nil"));
 }
 
