@@ -70,7 +70,8 @@ class JointGraph {
     return group;
   }
 
-  /// Joints that hang together and the bodies they move are a tree when one of them less holds them together.
+  /// Joints that hang together and the bodies they move make a tree if there is one hold of a joint on a body less than
+  /// there are joints and bodies.
   bool has_loops(const Ids& group) const {
     std::size_t held = 0;
     std::vector<BodyIndex> bodies;
@@ -83,6 +84,7 @@ class JointGraph {
     return held >= group.size() + static_cast<std::size_t>(end - bodies.begin());
   }
 
+  /// Breadth first, a net fills in far more than by minimum degree (elimination.h).
   Ids by_fewest_neighbours(const Ids& group) const {
     std::vector<int> number(bodies_.size(), 0);
     for (std::size_t i = 0; i < group.size(); ++i) number[group[i]] = static_cast<int>(i);
